@@ -1,0 +1,20 @@
+# The C++ tests. KNOTWORK_TESTS=OFF compiles the libraries only (a second compiler's opinion).
+option(KNOTWORK_TESTS "Build the C++ tests" ON)
+if(NOT KNOTWORK_TESTS)
+    return()
+endif()
+
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/cpp/*.cpp")
+if(NOT sources)
+    return()
+endif()
+
+find_package(GTest REQUIRED)
+enable_testing()
+add_executable(knotwork_tests ${sources})
+target_include_directories(knotwork_tests PRIVATE "${PROJECT_SOURCE_DIR}/tests/cpp")
+target_compile_definitions(knotwork_tests PRIVATE
+    KNOTWORK_SOURCE_DIR="${PROJECT_SOURCE_DIR}" $<$<BOOL:${KNOTWORK_SANITIZE}>:KNOTWORK_SANITIZED>)
+target_link_libraries(knotwork_tests PRIVATE
+    knotwork_drawing knotwork_our_code GTest::gtest_main)
+add_test(NAME knotwork_tests COMMAND knotwork_tests)

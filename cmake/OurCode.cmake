@@ -1,0 +1,41 @@
+# What holds for every translation unit of ours, and for no one else's.
+
+# Results must be the same to the bit natively and in wasm, so no fused multiply-add.
+set(KNOTWORK_CODE_OPTIONS -ffp-contract=off -fno-exceptions -fno-rtti)
+
+set(KNOTWORK_WARNING_OPTIONS
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror)
+
+if(EMSCRIPTEN)
+    list(APPEND KNOTWORK_CODE_OPTIONS -msimd128)
+endif()
+
+add_library(knotwork_our_code INTERFACE)
+target_compile_options(knotwork_our_code INTERFACE
+    ${KNOTWORK_CODE_OPTIONS} ${KNOTWORK_WARNING_OPTIONS})
+target_include_directories(knotwork_our_code INTERFACE "${PROJECT_SOURCE_DIR}/src")
+
+# Sanitizers are for everything that is linked together, also code that is not ours.
+if(KNOTWORK_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
+        -fno-omit-frame-pointer -g1)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+# knotwork_layer(name [SMALL] [USES libraries...]): the library knotwork_<name> from src/<name>/*.cpp.
+# A layer that has no sources is an interface library, so that the others can always name it.
+# SMALL is for code that runs a few times a frame: size counts there, speed does not.
+function(knotwork_layer name)
+    cmake_parse_arguments(PARSE_ARGV 1 layer "SMALL" "" "USES")
+    file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/*.cpp")
+    if(sources)
+        add_library(knotwork_${name} STATIC ${sources})
+        target_link_libraries(knotwork_${name} PUBLIC ${layer_USES} PRIVATE knotwork_our_code)
+        if(layer_SMALL)
+            target_compile_options(knotwork_${name} PRIVATE -Oz)
+        endif()
+    else()
+        add_library(knotwork_${name} INTERFACE)
+        target_link_libraries(knotwork_${name} INTERFACE ${layer_USES})
+    endif()
+endfunction()

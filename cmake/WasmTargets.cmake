@@ -1,0 +1,15 @@
+# Two modules from the same libraries: one that only computes, and one that also draws. The bindings
+# are compiled into each, since nothing refers to their registration and an archive would drop it.
+set(bindings "${PROJECT_SOURCE_DIR}/src/bindings")
+file(GLOB headless_sources CONFIGURE_DEPENDS
+    "${bindings}/marshal*.cpp" "${bindings}/session*.cpp" "${bindings}/headless*.cpp")
+file(GLOB page_sources CONFIGURE_DEPENDS "${bindings}/*.cpp")
+
+knotwork_wasm_module(knotwork EXPORT_NAME createKnotwork
+    SOURCES ${headless_sources}
+    USES knotwork_drawing)
+
+knotwork_wasm_module(knotwork_page EXPORT_NAME createKnotworkPage
+    SOURCES ${page_sources}
+    USES knotwork_app
+    LINK -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
