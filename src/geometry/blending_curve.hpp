@@ -1,0 +1,111 @@
+// Blending spline curves (Lakså, Bang, Dechevsky: expo-rational B-splines and their family).
+//
+// n local curves c_0 … c_{n−1}, each centred at its knot; between two neighbouring knots the two
+// local curves centred there are blended by a B-function B of the span's own parameter
+// w = (t − t_i)/h:
+//     C(t) = c_i(t) + B(w) (c_{i+1}(t) − c_i(t)),
+// so C has at the knot t_i the point and, up to the Hermite order of B, the derivatives of c_i.
+// A closed curve has one more knot, t_n = t_0 + T, and blends its last local into c_0(t − T).
+// Two equal knots in a row are a permitted break: the curve jumps from one local to the next.
+#pragma once
+
+#include "geometry/b_function.hpp"
+#include "geometry/interval.hpp"
+#include "geometry/pose.hpp"
+#include "geometry/result.hpp"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace knotwork {
+
+class Curve;
+
+/// A curve that takes part in a blend: a source over the global parameter (or over its own, by
+/// source parameter = rate·t + shift), posed about its own origin, its point at its knot.
+class LocalCurve {
+public:
+    LocalCurve(std::shared_ptr<const Curve> source, double rate, double shift, double knot,
+               const Pose& pose);
+
+    void evaluate(double t, Side side, std::span<Vec3> rows) const noexcept;
+    /// One row of points for many sorted parameters.
+    [[nodiscard]] Vec3 point(double t) const noexcept;
+
+    [[nodiscard]] const Curve& source() const noexcept { return *source_; }
+    [[nodiscard]] const std::shared_ptr<const Curve>& sharedSource() const noexcept { return source_; }
+    [[nodiscard]] const Pose& pose() const noexcept { return pose_; }
+    [[nodiscard]] const Affine& placement() const noexcept { return placement_; }
+    /// Where the local stands before it is posed, the pivot of scale and rotation.
+    [[nodiscard]] const Vec3& origin() const noexcept { return origin_; }
+    [[nodiscard]] double rate() const noexcept { return rate_; }
+    [[nodiscard]] double shift() const noexcept { return shift_; }
+    [[nodiscard]] LocalCurve withPose(const Pose& pose) const;
+    [[nodiscard]] bool planar() const noexcept;
+
+private:
+    std::shared_ptr<const Curve> source_;
+    double rate_;
+    double shift_;
+    Vec3 origin_;
+    Pose pose_;
+    Affine placement_;
+};
+
+enum class BlendForm { open, closed };
+
+class BlendingCurve {
+public:
+    /// Cuts `count` sub-curves from a model: local j is the model itself, centred at knots[j].
+    /// `knots` empty: uniform over the model's domain. Refuses: count outside [2, 10 000] for open
+    /// and [1, 10 000] for closed (OUT_OF_RANGE `locals.count`), knots of the wrong number
+    /// (KNOTS_COUNT), not finite, decreasing, or three equal (KNOTS_MULTIPLICITY) as `knots[i]`.
+    static Result<BlendingCurve> fromModel(Curve model, std::size_t count, BlendForm form,
+                                           BFunction blend, std::vector<double> knots,
+                                           std::span<const Pose> poses);
+
+    /// From local curves given one by one; with `fit`, each source's domain is mapped affinely onto
+    /// its support. `knots` empty: 0, 1, …
+    static Result<BlendingCurve> fromLocals(std::vector<Curve> locals, BlendForm form,
+                                            BFunction blend, std::vector<double> knots, bool fit,
+                                            std::span<const Pose> poses);
+
+    [[nodiscard]] Interval domain() const noexcept { return {knots_.front(), knots_.back()}; }
+    [[nodiscard]] bool closed() const noexcept { return form_ == BlendForm::closed; }
+    [[nodiscard]] int dimension() const noexcept { return dimension_; }
+    [[nodiscard]] const BFunction& blend() const noexcept { return blend_; }
+    [[nodiscard]] const std::vector<double>& knots() const noexcept { return knots_; }
+    [[nodiscard]] const std::vector<LocalCurve>& locals() const noexcept { return *locals_; }
+    /// What the locals were cut from, or null where they were given one by one.
+    [[nodiscard]] const std::shared_ptr<const Curve>& model() const noexcept { return model_; }
+
+    /// rows[k] = the k-th derivative; outside the domain a closed curve wraps and an open one is
+    /// continued by its end local.
+    void evaluate(double t, Side side, std::span<Vec3> rows) const noexcept;
+    void points(std::span<const double> ts, std::span<Vec3> out) const noexcept;
+
+    /// The n weights with which the locals are blended at t: at most two are not zero, sum 1.
+    [[nodiscard]] std::vector<double> blendBasis(double t) const;
+    /// The interval where local j takes part, [t_{j−1}, t_{j+1}] cut to the domain (a closed
+    /// curve's first local: [t_{n−1} − T, t_1]).
+    [[nodiscard]] Interval support(std::size_t j) const noexcept;
+
+    [[nodiscard]] BlendingCurve withPoses(std::span<const Pose> poses) const;
+
+private:
+    BlendingCurve(std::shared_ptr<const Curve> model, std::vector<LocalCurve> locals,
+                  BlendForm form, BFunction blend, std::vector<double> knots);
+
+    struct Span;
+    [[nodiscard]] Span spanAt(double t, Side side) const noexcept;
+
+    std::shared_ptr<const Curve> model_;
+    std::shared_ptr<const std::vector<LocalCurve>> locals_;
+    BlendForm form_;
+    BFunction blend_;
+    std::vector<double> knots_;
+    int dimension_ = 2;
+};
+
+}  // namespace knotwork

@@ -1,0 +1,114 @@
+// A scene: a document that has been checked, its history, and the commands that change it.
+//
+// A state is immutable and shares its objects with its neighbours in the history, so undo is a
+// step back and costs nothing. Every front end changes a scene by the same commands.
+#pragma once
+
+#include "geometry/curve.hpp"
+#include "scene/colour.hpp"
+#include "scene/json.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace knotwork::scene {
+
+/// What of an object is drawn.
+struct Show {
+    bool curve = true;
+    bool polygon = true;
+    bool points = true;
+    bool knots = true;
+    bool locals = false;
+    bool handles = true;
+    bool basis = true;
+    bool bFunction = true;
+};
+
+struct Style {
+    Colour colour;
+    double width = 2.5;  ///< of the curve, in CSS pixels
+};
+
+/// One object of a scene, immutable once made.
+struct Object {
+    Json spec;  ///< canonical
+    std::string id;
+    Style style;
+    Show show;
+    Curve curve;
+};
+
+enum class EffectKind { translate, rotate, simulate, colour };
+
+struct Effect {
+    Json spec;
+    EffectKind kind = EffectKind::translate;
+    std::string target;
+    double period = 10;
+    BFunction easing;
+    Vec3 translate{0.0};
+    Vec3 axis{0.0, 0.0, 1.0};
+    double angle = 0;
+    double seed = 0;
+    Colour to;
+};
+
+struct State {
+    std::shared_ptr<const Json> header;  ///< knotwork, title, description, view
+    std::vector<std::shared_ptr<const Object>> objects;
+    std::vector<std::shared_ptr<const Effect>> effects;
+
+    [[nodiscard]] const Object* find(std::string_view id) const noexcept;
+};
+
+/// What a command changed, for listeners.
+struct Change {
+    std::string command;  ///< `set`, `move`, `insert`, `remove`, `add`, `pose`
+    std::string path;
+};
+
+class Scene {
+public:
+    /// Checks the whole document; the error names the place. VERSION for a document of a future
+    /// version.
+    static Result<Scene> open(const Json& document);
+
+    /// The canonical document.
+    [[nodiscard]] Json document() const;
+    [[nodiscard]] const State& state() const noexcept { return history_[present_].state; }
+
+    /// { set, value } | { move, to | by } | { insert, value } | { remove } | { add } | { pose },
+    /// with an optional `gesture`: commands of one gesture become one step of history. A refused
+    /// command leaves everything as it was.
+    Result<Change> execute(const Json& command);
+    /// Takes back all that the running gesture did, as Escape does during a drag.
+    bool cancelGesture(std::string_view gesture);
+    bool undo();
+    bool redo();
+    [[nodiscard]] bool canUndo() const noexcept { return present_ > 0; }
+    [[nodiscard]] bool canRedo() const noexcept { return present_ + 1 < history_.size(); }
+
+    /// Grows by one with every visible change, undo and redo included.
+    [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
+
+    /// [{ object, type, label, fields: panelFieldsJson(object) }].
+    [[nodiscard]] Json schema() const;
+
+private:
+    struct Step {
+        State state;
+        std::string gesture;
+    };
+    explicit Scene(State first);
+    void commit(State next, std::string gesture);
+
+    std::vector<Step> history_;
+    std::size_t present_ = 0;
+    std::uint64_t revision_ = 0;
+};
+
+}  // namespace knotwork::scene
