@@ -2,7 +2,8 @@
 # folder itself must not be given to Emscripten (it would hide Emscripten's own C library), so a
 # folder of the build tree holds a link to each library, and only that folder is searched.
 function(knotwork_header_library target variable folder probe package)
-    find_path(${variable} NAMES "${probe}" NO_CMAKE_FIND_ROOT_PATH
+    find_path(${variable} NAMES "${probe}"
+        PATHS /usr/local/include /usr/include /opt/homebrew/include NO_CMAKE_FIND_ROOT_PATH
         DOC "The folder that holds ${folder}/")
     if(NOT ${variable})
         message(FATAL_ERROR "The headers of ${folder} (${probe}) were not found. Install them "
