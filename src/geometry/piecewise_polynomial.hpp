@@ -1,0 +1,54 @@
+// The fast way to many points of a B-spline curve.
+//
+// One polynomial per span, made once and centred at mid-span: C(t) = Σ c_k u^k with u in [-1, 1],
+// by Horner's rule over runs of parameters that fall into one span. Above degree 9 the power form
+// loses digits and the pieces are in Bernstein form. Agrees with BsplineCurve within 2e-14
+// (cubic) to 1e-13 (degree 9) for coordinates up to 20.
+#pragma once
+
+#include "geometry/bspline_curve.hpp"
+#include "geometry/interval.hpp"
+#include "geometry/vec.hpp"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace knotwork {
+
+class BsplineSampler {
+public:
+    /// O(n d²); (d+1) · 2 to 4 numbers per span are kept.
+    explicit BsplineSampler(const BsplineCurve& curve);
+
+    [[nodiscard]] Interval domain() const noexcept { return domain_; }
+
+    /// Points first … first+count-1 of `total` that are spread uniformly over the domain, both
+    /// ends included, as x, y, z triples: `xyz` holds 3·count numbers. Parameters as
+    /// uniformParameter() gives them.
+    void uniform(std::size_t first, std::size_t count, std::size_t total,
+                 std::span<double> xyz) const noexcept;
+
+    /// At each of ts, in any order (fast when sorted): all positions, then all first derivatives,
+    /// and so on, so that `xyz` holds 3·(derivatives+1)·ts.size() numbers. Taken from the right
+    /// at knots; outside the domain continued as BsplineCurve does.
+    void at(std::span<const double> ts, int derivatives, std::span<double> xyz) const noexcept;
+
+private:
+    struct Piece {
+        double start;
+        double centre;  ///< u = (t - centre) · scale
+        double scale;
+    };
+
+    std::vector<Piece> pieces_;         ///< one per span that is not empty, ascending
+    std::vector<double> coefficients_;  ///< of piece p, power k, component c: [(p(d+1)+k)C + c]
+    Interval domain_;
+    Vec3 startPoint_;
+    Vec3 endPoint_;
+    std::size_t degree_;
+    std::size_t components_;  ///< 2: z is zero, 3, or 4: homogeneous
+    bool closed_;
+};
+
+}  // namespace knotwork
