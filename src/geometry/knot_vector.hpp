@@ -80,7 +80,7 @@ public:
     friend bool operator==(const KnotVector&, const KnotVector&) = default;
 
 private:
-    KnotVector(std::span<const double> knots, int degree, int pointCount, Form form);
+    KnotVector(std::vector<double> knots, int degree, int pointCount, Form form);
 
     [[nodiscard]] std::size_t firstDomainIndex() const noexcept;
     [[nodiscard]] std::size_t lastDomainIndex() const noexcept;

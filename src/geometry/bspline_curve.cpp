@@ -1,0 +1,154 @@
+#include "geometry/bspline_curve.hpp"
+
+#include "geometry/bspline_kernels.hpp"
+
+#include <glm/vec4.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace knotwork {
+
+namespace {
+
+constexpr double largestCoordinate = 1e12;
+constexpr double smallestWeight = 1e-9;  // with largestWeight: no product comes near overflow
+constexpr double largestWeight = 1e9;
+
+using MaybeError = std::optional<Error>;
+using Homogeneous = glm::dvec4;  // (w x, w y, w z, w)
+
+MaybeError checkLength(std::size_t given, int needed, const char* path) {
+    if (given == static_cast<std::size_t>(needed)) return {};
+    return refuse(Code::wrongLength, path,
+                  std::to_string(given) + ' ' + path + " given, " + std::to_string(needed) +
+                      " needed");
+}
+
+MaybeError checkPoint(const Vec3& point, std::size_t index, int dimension) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double coordinate = point[axis];
+        if (!std::isfinite(coordinate)) {
+            return refuse(Code::notFinite, indexed("points", index),
+                          formatNumber(coordinate) + " is not a finite coordinate");
+        }
+        if (std::abs(coordinate) > largestCoordinate) {
+            return refuse(Code::outOfRange, indexed("points", index),
+                          formatNumber(coordinate) + " is out of range; coordinates lie in ±1e12");
+        }
+    }
+    if (dimension == 2 && point.z != 0) {
+        return refuse(Code::outOfRange, indexed("points", index),
+                      "z is " + formatNumber(point.z) + "; it must be 0 in two dimensions");
+    }
+    return {};
+}
+
+MaybeError checkWeight(double weight, std::size_t index) {
+    if (!std::isfinite(weight)) {
+        return refuse(Code::notFinite, indexed("weights", index),
+                      formatNumber(weight) + " is not a finite weight");
+    }
+    if (weight < smallestWeight || weight > largestWeight) {
+        return refuse(Code::outOfRange, indexed("weights", index),
+                      formatNumber(weight) +
+                          " is out of range; weights are positive, from 1e-9 to 1e9");
+    }
+    return {};
+}
+
+MaybeError checkCurve(int pointCount, std::span<const Vec3> points, int dimension,
+                      std::span<const double> weights) {
+    if (dimension != 2 && dimension != 3) {
+        return refuse(Code::outOfRange, "dimension",
+                      "dimension is " + std::to_string(dimension) + "; it must be 2 or 3");
+    }
+    if (auto error = checkLength(points.size(), pointCount, "points")) return error;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (auto error = checkPoint(points[i], i, dimension)) return error;
+    }
+    if (weights.empty()) return {};
+    if (auto error = checkLength(weights.size(), pointCount, "weights")) return error;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (auto error = checkWeight(weights[i], i)) return error;
+    }
+    return {};
+}
+
+// C^(k) = (A^(k) - sum_{i=1..k} binomial(k, i) w^(i) C^(k-i)) / w, where rows hold A^(k) = (w C)^(k)
+// and become C^(k). Weights beyond the degree have no derivatives.
+void divideByWeights(std::span<Vec3> rows, std::span<const double> weights) noexcept {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        double binomial = 1;
+        for (std::size_t i = 1; i <= k && i < weights.size(); ++i) {
+            binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
+            rows[k] -= binomial * weights[i] * rows[k - i];
+        }
+        rows[k] /= weights[0];
+    }
+}
+
+}  // namespace
+
+BsplineCurve::BsplineCurve(KnotVector knots, std::vector<Vec3> points, int dimension,
+                           std::vector<double> weights)
+    : knots_(std::move(knots)),
+      points_(std::move(points)),
+      weights_(std::move(weights)),
+      dimension_(dimension),
+      rational_(std::any_of(weights_.begin(), weights_.end(),
+                            [&](double weight) { return weight != weights_.front(); })) {}
+
+Result<BsplineCurve> BsplineCurve::make(KnotVector knots, std::vector<Vec3> points, int dimension,
+                                        std::vector<double> weights) {
+    if (auto error = checkCurve(knots.pointCount(), points, dimension, weights)) {
+        return *std::move(error);
+    }
+    return BsplineCurve(std::move(knots), std::move(points), dimension, std::move(weights));
+}
+
+Vec3 BsplineCurve::point(double t) const noexcept {
+    const double inside = knots_.wrap(t);
+    const std::size_t span = knots_.findSpan(inside);
+    const auto degree = static_cast<std::size_t>(knots_.degree());
+    if (!rational_) {
+        std::array<Vec3, maxDegree + 1> active;
+        for (std::size_t j = 0; j <= degree; ++j) active[j] = points_[knots_.pointIndex(span, j)];
+        return kernels::deBoor(knots_.extended(), degree, span, inside, std::span<Vec3>(active));
+    }
+    std::array<Homogeneous, maxDegree + 1> active;
+    for (std::size_t j = 0; j <= degree; ++j) {
+        const std::size_t i = knots_.pointIndex(span, j);
+        active[j] = Homogeneous(weights_[i] * points_[i], weights_[i]);
+    }
+    const Homogeneous lifted = kernels::deBoor(knots_.extended(), degree, span, inside,
+                                               std::span<Homogeneous>(active));
+    return Vec3(lifted) / lifted.w;
+}
+
+void BsplineCurve::derivatives(double t, Side side, std::span<Vec3> rows) const noexcept {
+    const double inside = knots_.wrap(t, side);
+    const std::size_t span = knots_.findSpan(inside, side);
+    const auto degree = static_cast<std::size_t>(knots_.degree());
+    std::array<double, maxDegree + 1> values{};
+    std::array<double, maxDegree + 1> weightRows{};
+    for (std::size_t order = 0; order < rows.size(); ++order) {
+        rows[order] = Vec3(0);
+        if (order > degree) continue;
+        kernels::basisDerivative(knots_.extended(), degree, span, order, inside,
+                                 std::span<double>(values));
+        for (std::size_t j = 0; j <= degree; ++j) {
+            const std::size_t i = knots_.pointIndex(span, j);
+            const double factor = rational_ ? values[j] * weights_[i] : values[j];
+            rows[order] += factor * points_[i];
+            weightRows[order] += factor;
+        }
+    }
+    if (rational_) divideByWeights(rows, std::span(weightRows).first(degree + 1));
+}
+
+}  // namespace knotwork
