@@ -13,11 +13,12 @@ if(NOT KNOTWORK_FONTTOOLS)
     message(FATAL_ERROR "fonttools was not found in PATH (Debian: package fonttools).")
 endif()
 
-# Latin-1, Latin extended A (names from Norway to Poland), Greek, general punctuation, super- and
-# subscripts, arrows, the mathematics we write, and triangles for play and pause.
+# Latin-1, Greek, dashes and quotes, super- and subscripts, arrows, the mathematics that we write, and
+# the signs on buttons.
 string(CONCAT glyphs
-    "U+0020-007E,U+00A0-017F,U+0391-03C9,U+2010-2027,U+2030-203A,U+2070-209C,U+2190-21FF,"
-    "U+2200-2265,U+221E,U+2297,U+22C5,U+25A0-25FF,U+23F8,U+2713,U+2717,U+FFFD")
+    "U+0020-007E,U+00A0-00FF,U+0391-03C9,U+2010-2015,U+2018-201E,U+2026,U+2032-2033,U+2070-2094,"
+    "U+2190-2195,U+21BA-21BB,U+2202,U+2208,U+2211-2213,U+221A,U+221E,U+222B,U+2248,U+2260,"
+    "U+2264-2265,U+2297,U+22C5,U+25A0,U+25B2,U+25B6,U+25BC,U+25C0,U+25CF,U+25CB,U+2713,U+FFFD")
 set(generated "${PROJECT_BINARY_DIR}/generated")
 file(MAKE_DIRECTORY "${generated}")
 add_custom_command(

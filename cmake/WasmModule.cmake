@@ -3,6 +3,7 @@
 # the wasm, so the glue never has to find a file by itself.
 set(KNOTWORK_WASM_LINK_OPTIONS
     --bind --no-entry
+    -fno-rtti               # chooses the embind library that fits objects without RTTI
     -sMODULARIZE -sEXPORT_ES6 -sUSE_ES6_IMPORT_META=0 -sENVIRONMENT=web,worker
     -sDYNAMIC_EXECUTION=0   # no new Function: the page forbids unsafe-eval
     -sFILESYSTEM=0
