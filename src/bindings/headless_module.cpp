@@ -1,0 +1,53 @@
+// The session as both modules export it.
+#include "bindings/session.hpp"
+
+#include <emscripten/bind.h>
+
+EMSCRIPTEN_BINDINGS(knotwork_session) {
+    using knotwork::bindings::Session;
+    emscripten::class_<Session>("Session")
+        .constructor<>()
+        .function("error", &Session::error)
+        .function("room", &Session::room)
+        .function("block", &Session::block)
+        .function("parameters", &Session::parameters)
+        .function("bulk", &Session::bulk)
+        .function("dropBulk", &Session::dropBulk)
+        .function("release", &Session::release)
+        .function("held", &Session::held)
+        .function("bFunction", &Session::bFunction)
+        .function("bFunctionSpec", &Session::bFunctionSpec)
+        .function("bFunctionTraits", &Session::bFunctionTraits)
+        .function("bFunctionWarning", &Session::bFunctionWarning)
+        .function("bFunctionDerivatives", &Session::bFunctionDerivatives)
+        .function("bFunctionSample", &Session::bFunctionSample)
+        .function("bFunctions", &Session::bFunctions)
+        .function("curve", &Session::curve)
+        .function("curveSpec", &Session::curveSpec)
+        .function("curveTraits", &Session::curveTraits)
+        .function("curvePoint", &Session::curvePoint)
+        .function("curveDerivatives", &Session::curveDerivatives)
+        .function("curveSample", &Session::curveSample)
+        .function("curveAt", &Session::curveAt)
+        .function("curvePolyline", &Session::curvePolyline)
+        .function("parametricCurves", &Session::parametricCurves)
+        .function("curveKnots", &Session::curveKnots)
+        .function("curveGrevilles", &Session::curveGrevilles)
+        .function("curveInsertKnot", &Session::curveInsertKnot)
+        .function("curveBasis", &Session::curveBasis)
+        .function("curveBlendBasis", &Session::curveBlendBasis)
+        .function("curveWithPose", &Session::curveWithPose)
+        .function("openScene", &Session::openScene)
+        .function("sceneDocument", &Session::sceneDocument)
+        .function("sceneSchema", &Session::sceneSchema)
+        .function("sceneExecute", &Session::sceneExecute)
+        .function("sceneUndo", &Session::sceneUndo)
+        .function("sceneRedo", &Session::sceneRedo)
+        .function("sceneCanUndo", &Session::sceneCanUndo)
+        .function("sceneCanRedo", &Session::sceneCanRedo)
+        .function("sceneRevision", &Session::sceneRevision)
+        .function("sceneDrawing", &Session::sceneDrawing)
+        .function("dropDrawing", &Session::dropDrawing)
+        .function("scenes", &Session::scenes)
+        .function("documentSchema", &Session::documentSchema);
+}

@@ -1,0 +1,42 @@
+// How values of the core look on the other side of the border.
+#pragma once
+
+#include "drawing/drawing.hpp"
+#include "geometry/result.hpp"
+#include "scene/json.hpp"
+#include "scene/scene.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace knotwork::bindings {
+
+/// Highest order of derivative that can be asked for.
+inline constexpr int maximumDerivative = 25;
+
+/// { code, path, message }.
+[[nodiscard]] std::string errorJson(const Error& error);
+
+/// { command, path }.
+[[nodiscard]] std::string changeJson(const scene::Change& change);
+
+/// { bounds: { min, max } or null, shapes: [{ object, role, kind, pane, index, colour, opacity,
+/// width, dashed, square, path, text, at, count }] }: objects by id, positions as `count` numbers
+/// at the address `at`.
+[[nodiscard]] std::string drawingJson(const drawing::Drawing& drawing, const scene::State& state);
+
+/// OUT_OF_RANGE at `name` unless 0 ≤ n ≤ 25.
+[[nodiscard]] Result<Done> checkDerivative(int n, std::string_view name);
+/// NOT_FINITE or OUT_OF_RANGE at `t` unless 0 ≤ t ≤ 1.
+[[nodiscard]] Result<Done> checkUnit(double t);
+/// NOT_FINITE or OUT_OF_RANGE at `tolerance` unless it is a positive number.
+[[nodiscard]] Result<Done> checkTolerance(double tolerance);
+
+/// The specification with the pose of one local curve put in place of the one it had. The pose
+/// has no key `local` (UNKNOWN_FIELD) and is otherwise checked where the curve is made.
+[[nodiscard]] Result<scene::Json> specWithPose(scene::Json spec, int local, scene::Json pose);
+
+/// `poses[2].rotate.axis` as the caller of withPose() knows it: `rotate.axis`.
+[[nodiscard]] Error seenFromPose(Error error);
+
+}  // namespace knotwork::bindings

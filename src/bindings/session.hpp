@@ -1,0 +1,152 @@
+// What one load() holds: B-functions, curves and scenes behind integer handles, and the border's
+// two buffers. Only numbers, strings and addresses cross, so nothing here can throw or be coerced.
+//
+// Conventions. Input crosses as CBOR: the facade asks for room(bytes), writes there and passes the
+// number of bytes. A refused call answers 0, false, -1 or "" (whatever cannot be an answer) and
+// leaves its reason in error(). Handles are not zero and are checked by every function. Small
+// results are left in block(), lists of any length in bulk(), both until the next call; addresses
+// are bytes from the start of memory. Texts are JSON.
+#pragma once
+
+#include "drawing/drawing.hpp"
+#include "geometry/b_function.hpp"
+#include "geometry/curve.hpp"
+#include "scene/scene.hpp"
+#include "scene/specs.hpp"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace knotwork::bindings {
+
+/// The facade asks for samples in blocks of so many points, which fit the first cache.
+inline constexpr std::size_t blockPoints = 1024;
+
+class Session {
+public:
+    using Address = std::uintptr_t;
+
+    // The border.
+    /// Why the last refused call was refused: { code, path, message }.
+    [[nodiscard]] std::string error() const;
+    /// Where to write the `bytes` bytes of input of the next call.
+    [[nodiscard]] Address room(unsigned bytes);
+    /// Where the numbers of a small result stand; 3 · 1024 of them.
+    [[nodiscard]] Address block() const;
+    /// Where to write up to 1024 parameters for curveAt().
+    [[nodiscard]] Address parameters() const;
+    /// Where the numbers of a list stand; dropBulk() gives their memory back.
+    [[nodiscard]] Address bulk() const;
+    void dropBulk();
+    /// Forgets a value; an unknown handle is ignored.
+    void release(int handle);
+    /// How many values are held.
+    [[nodiscard]] int held() const { return held_; }
+
+    // B-functions.
+    [[nodiscard]] int bFunction(unsigned bytes);
+    [[nodiscard]] std::string bFunctionSpec(int handle);
+    /// block: the order at 0 and at 1, and then 1 for symmetric and 1 for smooth, else 0.
+    [[nodiscard]] bool bFunctionTraits(int handle);
+    /// Where its smoothness ends, or "".
+    [[nodiscard]] std::string bFunctionWarning(int handle);
+    /// block: B(t), B'(t), … B^(n)(t).
+    [[nodiscard]] bool bFunctionDerivatives(int handle, double t, int n);
+    /// block: `count` ≤ 1024 values, the first at `first` of `total` uniform ones.
+    [[nodiscard]] bool bFunctionSample(int handle, unsigned first, unsigned count, unsigned total);
+    [[nodiscard]] std::string bFunctions() const;
+
+    // Curves of every kind.
+    [[nodiscard]] int curve(unsigned bytes);
+    [[nodiscard]] std::string curveSpec(int handle);
+    /// block: start and end of the domain, 1 where closed, dimension, and the kind's place in
+    /// Curve::Kind.
+    [[nodiscard]] bool curveTraits(int handle);
+    /// block: x, y, z.
+    [[nodiscard]] bool curvePoint(int handle, double t);
+    /// block: n+1 rows of x, y, z.
+    [[nodiscard]] bool curveDerivatives(int handle, double t, int n, bool left);
+    /// block: `count` ≤ 1024 points, the first at `first` of `total` uniform ones.
+    [[nodiscard]] bool curveSample(int handle, unsigned first, unsigned count, unsigned total);
+    /// block: at the first `count` of parameters() all points, then all first derivatives, …;
+    /// count · (derivatives + 1) ≤ 1024. A refusal names `ts[first + i]`.
+    [[nodiscard]] bool curveAt(int handle, unsigned first, unsigned count, int derivatives);
+    /// bulk: m points and then their m parameters. Answers m, or -1.
+    [[nodiscard]] int curvePolyline(int handle, double tolerance);
+    [[nodiscard]] std::string parametricCurves() const;
+
+    // B-spline and blending curves; of any other kind NOT_SUPPORTED.
+    /// bulk: the knots. Answers their number, or -1.
+    [[nodiscard]] int curveKnots(int handle);
+    [[nodiscard]] int curveGrevilles(int handle);
+    [[nodiscard]] int curveInsertKnot(int handle, double t, int times);
+    /// bulk: derivatives+1 rows of n numbers. Answers n, or -1.
+    [[nodiscard]] int curveBasis(int handle, double t, int derivatives);
+    /// bulk: the weights of the n local curves. Answers n, or -1.
+    [[nodiscard]] int curveBlendBasis(int handle, double t);
+    [[nodiscard]] int curveWithPose(int handle, int local, unsigned bytes);
+
+    // Scenes.
+    [[nodiscard]] int openScene(unsigned bytes);
+    /// The scene itself, for a view that shows it; null for an unknown handle.
+    [[nodiscard]] std::shared_ptr<scene::Scene> scene(int handle) const;
+    [[nodiscard]] std::string sceneDocument(int handle);
+    [[nodiscard]] std::string sceneSchema(int handle);
+    /// { command, path }
+    [[nodiscard]] std::string sceneExecute(int handle, unsigned bytes);
+    /// 1 done, 0 nothing there to take back, -1 refused.
+    [[nodiscard]] int sceneUndo(int handle);
+    [[nodiscard]] int sceneRedo(int handle);
+    [[nodiscard]] bool sceneCanUndo(int handle);
+    [[nodiscard]] bool sceneCanRedo(int handle);
+    [[nodiscard]] double sceneRevision(int handle);
+    /// { bounds, shapes: [{ …, at, count }] }, each shape's `count` numbers at the address `at`
+    /// until the next drawing. NaN stands for a phase, time or tolerance that is not given.
+    [[nodiscard]] std::string sceneDrawing(int handle, double phase, double time, double tolerance);
+    void dropDrawing();
+    [[nodiscard]] std::string scenes() const;
+    [[nodiscard]] std::string documentSchema() const;
+
+private:
+    struct CurveValue {
+        scene::Made<Curve> made;
+        std::optional<CurveSampler> sampler;  ///< made when first asked for
+    };
+    using Value = std::variant<std::monostate, std::unique_ptr<scene::Made<BFunction>>,
+                               std::unique_ptr<CurveValue>, std::shared_ptr<scene::Scene>>;
+    struct Slot {
+        Value value;
+        unsigned generation = 1;
+    };
+
+    int refuse(Error error);
+    [[nodiscard]] Result<scene::Json> input(unsigned bytes) const;
+    [[nodiscard]] int hold(Value value);
+    [[nodiscard]] int holdCurve(Result<scene::Made<Curve>> made);
+    [[nodiscard]] const Slot* slot(int handle) const;
+    /// The value of this type behind the handle; null (and DISPOSED in error()) if there is none.
+    template <class T>
+    [[nodiscard]] T* find(int handle);
+    [[nodiscard]] const BsplineCurve* findBspline(int handle);
+    [[nodiscard]] const BlendingCurve* findBlending(int handle);
+    int leave(std::vector<double> numbers, std::size_t count);
+
+    Error error_;
+    std::vector<std::uint8_t> room_;
+    std::array<double, 3 * blockPoints> block_{};
+    std::array<double, blockPoints> parameters_{};
+    std::vector<double> bulk_;
+    drawing::Drawing drawing_;
+    std::vector<Slot> slots_;
+    std::vector<unsigned> free_;
+    int held_ = 0;
+};
+
+}  // namespace knotwork::bindings

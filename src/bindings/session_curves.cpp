@@ -1,0 +1,223 @@
+// The part of the session that holds and evaluates curves.
+#include "bindings/marshal.hpp"
+#include "bindings/session.hpp"
+#include "geometry/bspline_basis.hpp"
+#include "geometry/refinement.hpp"
+#include "geometry/tessellation.hpp"
+
+#include <algorithm>
+
+namespace knotwork::bindings {
+
+using scene::Made;
+
+namespace {
+
+Error notOfKind(std::string_view kind) {
+    return {Code::notSupported, "", "Only a " + std::string(kind) + " answers this."};
+}
+
+void write(const Vec3& v, double* at) noexcept {
+    at[0] = v.x;
+    at[1] = v.y;
+    at[2] = v.z;
+}
+
+std::size_t rowsOf(int derivatives) noexcept { return static_cast<std::size_t>(derivatives) + 1; }
+
+}  // namespace
+
+int Session::holdCurve(Result<Made<Curve>> made) {
+    if (!made) return refuse(made.error());
+    return hold(std::make_unique<CurveValue>(CurveValue{std::move(*made), std::nullopt}));
+}
+
+int Session::curve(unsigned bytes) {
+    auto spec = input(bytes);
+    if (!spec) return refuse(spec.error());
+    return holdCurve(scene::makeCurve(*spec));
+}
+
+std::string Session::curveSpec(int handle) {
+    const auto* held = find<CurveValue>(handle);
+    return held ? scene::dumpJson(held->made.spec) : std::string();
+}
+
+bool Session::curveTraits(int handle) {
+    const auto* held = find<CurveValue>(handle);
+    if (!held) return false;
+    const Curve& curve = held->made.value;
+    const Interval whole = domain(curve);
+    block_[0] = whole.start;
+    block_[1] = whole.end;
+    block_[2] = isClosed(curve) ? 1 : 0;
+    block_[3] = dimension(curve);
+    block_[4] = static_cast<double>(curve.kind().index());
+    return true;
+}
+
+bool Session::curvePoint(int handle, double t) {
+    const auto* held = find<CurveValue>(handle);
+    if (!held) return false;
+    const auto inside = parameterInDomain(held->made.value, t);
+    if (!inside) return refuse(inside.error());
+    write(pointAt(held->made.value, *inside), block_.data());
+    return true;
+}
+
+bool Session::curveDerivatives(int handle, double t, int n, bool left) {
+    const auto* held = find<CurveValue>(handle);
+    if (!held) return false;
+    if (auto order = checkDerivative(n, "n"); !order) return refuse(order.error());
+    const auto inside = parameterInDomain(held->made.value, t);
+    if (!inside) return refuse(inside.error());
+    std::array<Vec3, maximumDerivative + 1> rows{};
+    evaluate(held->made.value, *inside, left ? Side::left : Side::right,
+             {rows.data(), rowsOf(n)});
+    for (std::size_t k = 0; k < rowsOf(n); ++k) write(rows[k], block_.data() + 3 * k);
+    return true;
+}
+
+bool Session::curveSample(int handle, unsigned first, unsigned count, unsigned total) {
+    auto* held = find<CurveValue>(handle);
+    if (!held) return false;
+    if (!held->sampler) held->sampler.emplace(held->made.value);
+    const std::size_t points = std::min<std::size_t>(count, blockPoints);
+    held->sampler->uniform(first, points, total, {block_.data(), 3 * points});
+    return true;
+}
+
+bool Session::curveAt(int handle, unsigned first, unsigned count, int derivatives) {
+    auto* held = find<CurveValue>(handle);
+    if (!held) return false;
+    if (auto order = checkDerivative(derivatives, "derivatives"); !order) {
+        return refuse(order.error());
+    }
+    const std::size_t points =
+        std::min<std::size_t>(count, blockPoints / rowsOf(derivatives));
+    for (std::size_t i = 0; i < points; ++i) {
+        const auto inside = parameterInDomain(held->made.value, parameters_[i]);
+        if (!inside) {
+            Error error = inside.error();
+            error.path = indexed("ts", first + i);
+            return refuse(std::move(error));
+        }
+        parameters_[i] = *inside;
+    }
+    if (!held->sampler) held->sampler.emplace(held->made.value);
+    held->sampler->at({parameters_.data(), points}, derivatives,
+                      {block_.data(), 3 * points * rowsOf(derivatives)});
+    return true;
+}
+
+int Session::curvePolyline(int handle, double tolerance) {
+    const auto* held = find<CurveValue>(handle);
+    if (!held) return -1;
+    if (auto distance = checkTolerance(tolerance); !distance) {
+        refuse(distance.error());
+        return -1;
+    }
+    Polyline line = polyline(held->made.value, tolerance);
+    const std::size_t points = line.parameters.size();
+    line.xyz.insert(line.xyz.end(), line.parameters.begin(), line.parameters.end());
+    return leave(std::move(line.xyz), points);
+}
+
+std::string Session::parametricCurves() const {
+    return scene::dumpJson(scene::describeParametricCurves());
+}
+
+const BsplineCurve* Session::findBspline(int handle) {
+    const auto* held = find<CurveValue>(handle);
+    const auto* spline = held ? held->made.value.as<BsplineCurve>() : nullptr;
+    if (held && !spline) refuse(notOfKind("B-spline curve"));
+    return spline;
+}
+
+const BlendingCurve* Session::findBlending(int handle) {
+    const auto* held = find<CurveValue>(handle);
+    const auto* blending = held ? held->made.value.as<BlendingCurve>() : nullptr;
+    if (held && !blending) refuse(notOfKind("blending curve"));
+    return blending;
+}
+
+int Session::curveKnots(int handle) {
+    const auto* held = find<CurveValue>(handle);
+    if (!held) return -1;
+    std::vector<double> knots;
+    if (const auto* blending = held->made.value.as<BlendingCurve>()) {
+        knots = blending->knots();
+    } else if (const auto* spline = findBspline(handle)) {
+        const std::span<const double> given = spline->knotVector().knots();
+        knots.assign(given.begin(), given.end());
+    } else {
+        return -1;
+    }
+    const std::size_t count = knots.size();
+    return leave(std::move(knots), count);
+}
+
+int Session::curveGrevilles(int handle) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return -1;
+    std::vector<double> grevilles = spline->knotVector().grevilles();
+    const std::size_t count = grevilles.size();
+    return leave(std::move(grevilles), count);
+}
+
+int Session::curveInsertKnot(int handle, double t, int times) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return 0;
+    auto refined = insertKnot(*spline, t, times);
+    if (!refined) return refuse(refined.error());
+    scene::Json spec = scene::specOf(*refined);
+    return holdCurve(Made<Curve>{std::move(spec), Curve(std::move(*refined))});
+}
+
+int Session::curveBasis(int handle, double t, int derivatives) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return -1;
+    const auto inside = parameterInDomain(find<CurveValue>(handle)->made.value, t);
+    const auto order = checkDerivative(derivatives, "derivatives");
+    if (!inside || !order) {
+        refuse(inside ? order.error() : inside.error());
+        return -1;
+    }
+    const auto count = static_cast<std::size_t>(spline->knotVector().pointCount());
+    std::vector<double> rows(count * rowsOf(derivatives));
+    basisRows(spline->knotVector(), *inside, Side::right, derivatives, rows);
+    return leave(std::move(rows), count);
+}
+
+int Session::curveBlendBasis(int handle, double t) {
+    const auto* blending = findBlending(handle);
+    if (!blending) return -1;
+    const auto inside = parameterInDomain(find<CurveValue>(handle)->made.value, t);
+    if (!inside) {
+        refuse(inside.error());
+        return -1;
+    }
+    std::vector<double> weights = blending->blendBasis(*inside);
+    const std::size_t count = weights.size();
+    return leave(std::move(weights), count);
+}
+
+int Session::curveWithPose(int handle, int local, unsigned bytes) {
+    const auto* blending = findBlending(handle);
+    if (!blending) return 0;
+    const std::size_t count = blending->locals().size();
+    if (local < 0 || static_cast<std::size_t>(local) >= count) {
+        return refuse({Code::outOfRange, "j",
+                       "There is no local curve " + std::to_string(local) + "; they are 0 to " +
+                           std::to_string(count - 1) + "."});
+    }
+    auto pose = input(bytes);
+    if (!pose) return refuse(pose.error());
+    auto spec = specWithPose(find<CurveValue>(handle)->made.spec, local, std::move(*pose));
+    if (!spec) return refuse(spec.error());
+    auto made = scene::makeCurve(*spec);
+    if (!made) return refuse(seenFromPose(made.error()));
+    return holdCurve(std::move(made));
+}
+
+}  // namespace knotwork::bindings

@@ -1,0 +1,95 @@
+// The part of the session that holds scenes.
+#include "bindings/marshal.hpp"
+#include "bindings/session.hpp"
+#include "scene/builtin.hpp"
+#include "scene/schema.hpp"
+
+#include <cmath>
+
+namespace knotwork::bindings {
+
+using scene::Scene;
+
+int Session::openScene(unsigned bytes) {
+    auto document = input(bytes);
+    if (!document) return refuse(document.error());
+    auto opened = Scene::open(*document);
+    if (!opened) return refuse(opened.error());
+    return hold(std::make_shared<Scene>(std::move(*opened)));
+}
+
+std::shared_ptr<Scene> Session::scene(int handle) const {
+    const Slot* found = slot(handle);
+    const auto* held = found ? std::get_if<std::shared_ptr<Scene>>(&found->value) : nullptr;
+    return held ? *held : nullptr;
+}
+
+std::string Session::sceneDocument(int handle) {
+    const Scene* held = find<Scene>(handle);
+    return held ? scene::dumpJson(held->document()) : std::string();
+}
+
+std::string Session::sceneSchema(int handle) {
+    const Scene* held = find<Scene>(handle);
+    return held ? scene::dumpJson(held->schema()) : std::string();
+}
+
+std::string Session::sceneExecute(int handle, unsigned bytes) {
+    Scene* held = find<Scene>(handle);
+    if (!held) return {};
+    auto command = input(bytes);
+    auto change = command ? held->execute(*command) : Result<scene::Change>(command.error());
+    if (change) return changeJson(*change);
+    refuse(change.error());
+    return {};
+}
+
+int Session::sceneUndo(int handle) {
+    Scene* held = find<Scene>(handle);
+    return held ? int{held->undo()} : -1;
+}
+
+int Session::sceneRedo(int handle) {
+    Scene* held = find<Scene>(handle);
+    return held ? int{held->redo()} : -1;
+}
+
+bool Session::sceneCanUndo(int handle) {
+    const Scene* held = find<Scene>(handle);
+    return held && held->canUndo();
+}
+
+bool Session::sceneCanRedo(int handle) {
+    const Scene* held = find<Scene>(handle);
+    return held && held->canRedo();
+}
+
+double Session::sceneRevision(int handle) {
+    const Scene* held = find<Scene>(handle);
+    return held ? static_cast<double>(held->revision()) : -1;
+}
+
+std::string Session::sceneDrawing(int handle, double phase, double time, double tolerance) {
+    const Scene* held = find<Scene>(handle);
+    if (!held) return {};
+    drawing::Options options;
+    if (!std::isnan(phase)) options.moment.phase = phase;
+    if (!std::isnan(time)) options.moment.time = time;
+    if (!std::isnan(tolerance)) {
+        if (auto distance = checkTolerance(tolerance); !distance) {
+            refuse(distance.error());
+            return {};
+        }
+        options.tolerance = tolerance;
+    }
+    drawing_ = drawing::draw(held->state(), options);
+    return drawingJson(drawing_, held->state());
+}
+
+void Session::dropDrawing() { drawing_ = {}; }
+
+std::string Session::scenes() const { return scene::dumpJson(scene::describeScenes()); }
+
+std::string Session::documentSchema() const { return scene::dumpJson(scene::documentSchema()); }
+
+}  // namespace knotwork::bindings
