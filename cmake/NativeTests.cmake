@@ -16,5 +16,5 @@ target_include_directories(knotwork_tests PRIVATE "${PROJECT_SOURCE_DIR}/tests/c
 target_compile_definitions(knotwork_tests PRIVATE
     KNOTWORK_SOURCE_DIR="${PROJECT_SOURCE_DIR}" $<$<BOOL:${KNOTWORK_SANITIZE}>:KNOTWORK_SANITIZED>)
 target_link_libraries(knotwork_tests PRIVATE
-    knotwork_drawing knotwork_our_code GTest::gtest_main)
+    knotwork_app knotwork_our_code GTest::gtest_main)
 add_test(NAME knotwork_tests COMMAND knotwork_tests)

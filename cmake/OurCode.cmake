@@ -22,12 +22,16 @@ if(KNOTWORK_SANITIZE)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
-# knotwork_layer(name [SMALL] [USES libraries...]): the library knotwork_<name> from src/<name>/*.cpp.
+# knotwork_layer(name [SMALL] [EXCEPT regex] [USES libraries...]): the library knotwork_<name> from
+# src/<name>/*.cpp, without the files whose names match the expression.
 # A layer that has no sources is an interface library, so that the others can always name it.
 # SMALL is for code that runs a few times a frame: size counts there, speed does not.
 function(knotwork_layer name)
-    cmake_parse_arguments(PARSE_ARGV 1 layer "SMALL" "" "USES")
+    cmake_parse_arguments(PARSE_ARGV 1 layer "SMALL" "EXCEPT" "USES")
     file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/*.cpp")
+    if(layer_EXCEPT)
+        list(FILTER sources EXCLUDE REGEX "/${name}/[^/]*(${layer_EXCEPT})[^/]*$")
+    endif()
     if(sources)
         add_library(knotwork_${name} STATIC ${sources})
         target_link_libraries(knotwork_${name} PUBLIC ${layer_USES} PRIVATE knotwork_our_code)

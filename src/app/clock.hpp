@@ -1,0 +1,41 @@
+// The clock of an animation: absolute page time to a phase in [0, 1).
+//
+// Nothing is accumulated: while it plays, the phase is that of an anchor and the time since then,
+// so a day of playing is as exact as the first second.
+#pragma once
+
+#include <span>
+
+namespace knotwork::app {
+
+/// The shortest time after which effects with these periods all begin anew: a whole multiple (up to
+/// 60) of the longest that every other one divides, else the longest. No periods: 0.
+[[nodiscard]] double loopPeriod(std::span<const double> periods) noexcept;
+
+class Clock {
+public:
+    /// Seconds of one loop; 0 stops the clock for good. The phase stays.
+    void setPeriod(double period, double now) noexcept;
+    [[nodiscard]] double period() const noexcept { return period_; }
+
+    void play(double now) noexcept;
+    void pause(double now) noexcept;
+    [[nodiscard]] bool playing() const noexcept { return playing_; }
+    /// While held (during a drag) a playing clock stands still, and goes on from there.
+    void hold(bool held, double now) noexcept;
+    [[nodiscard]] bool running() const noexcept { return playing_ && !held_ && period_ > 0; }
+
+    void setPhase(double phase, double now) noexcept;
+    [[nodiscard]] double phase(double now) const noexcept;
+
+private:
+    void anchorAt(double now) noexcept;
+
+    double period_ = 0;
+    double anchorTime_ = 0;
+    double anchorPhase_ = 0;
+    bool playing_ = false;
+    bool held_ = false;
+};
+
+}  // namespace knotwork::app

@@ -1,0 +1,47 @@
+#include "ui/basis_plot.hpp"
+
+#include <algorithm>
+
+namespace knotwork::ui {
+
+namespace {
+
+/// Beyond this many verticals they would be a grey wash.
+constexpr std::size_t mostVerticals = 64;
+
+void addKnotLines(Plot& plot, const ParameterAxis& axis, const std::vector<double>& knots,
+                  const Theme& colours) {
+    std::vector<double> distinct = knots;
+    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    if (distinct.size() > mostVerticals) return;
+    Lines lines{{}, colours.grid};
+    for (const double knot : distinct) {
+        if (axis.range.contains(knot)) addVertical(lines, plot, knot);
+    }
+    plot.under.push_back(std::move(lines));
+}
+
+}  // namespace
+
+Plot basisPlot(const Box& box, const ParameterAxis& axis, const BasisContent& content,
+               bool namesBelow, const Theme& colours) {
+    Plot plot;
+    plot.pane = Pane::basis;
+    plot.box = box;
+    const double below = namesBelow ? 28 : plotMargins.bottom;
+    plot.area = inside(box, {0, plotMargins.top + 6, 0, below});
+    plot.area.x = axis.left;
+    plot.area.width = axis.right - axis.left;
+    plot.area.height = std::max(plot.area.height, 1.0);
+    // Basis functions lie between 0 and 1: the scale stays while one edits.
+    const Interval values{std::min(0.0, content.values.start), std::max(1.0, content.values.end)};
+    plot.map = mapOnto(plot.area, axis.range, values);
+    addKnotLines(plot, axis, content.knots, colours);
+    const std::vector<Tick> ticks = niceTicks(values, plot.area.height < 90 ? 1 : 2);
+    addGridY(plot, ticks, colours);
+    nameTicksY(plot, ticks, colours);
+    if (namesBelow) nameTicksX(plot, niceTicks(axis.range, ticksAcross(plot.area.width)), colours);
+    return plot;
+}
+
+}  // namespace knotwork::ui

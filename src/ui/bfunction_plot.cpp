@@ -1,0 +1,107 @@
+#include "ui/bfunction_plot.hpp"
+
+#include "ui/knot_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knotwork::ui {
+
+namespace {
+
+constexpr double leastRow = 62;     // two ticks and a name
+constexpr double namesBelow = 28;   // of the ticks, under the last row
+constexpr double titleHeight = 26;
+constexpr double gap = 12;          // between rows
+constexpr double bShare = 1.8;      // B's row against a derivative's
+
+std::size_t rowsIn(double height, std::size_t wanted) noexcept {
+    std::size_t rows = std::max<std::size_t>(wanted, 1);
+    while (rows > 1 && height / (static_cast<double>(rows) - 1 + bShare) < leastRow) --rows;
+    return rows;
+}
+
+int ticksOfRow(double height) noexcept { return height > 150 ? 4 : 2; }
+
+Plot row(const Box& area, const Interval& values, std::size_t order, const Theme& colours) {
+    Plot plot;
+    plot.pane = Pane::bFunction;
+    plot.index = static_cast<int>(order);
+    plot.area = area;
+    const int most = ticksOfRow(area.height);
+    const Interval range = order == 0 ? Interval{std::min(0.0, values.start),
+                                                 std::max(1.0, values.end)}
+                                      : niceInterval(values, most);
+    plot.map = mapOnto(area, {0, 1}, range);
+    addGridX(plot, niceTicks({0, 1}, ticksAcross(area.width)), colours);
+    const std::vector<Tick> ticks = niceTicks(range, most);
+    addGridY(plot, ticks, colours);
+    nameTicksY(plot, ticks, colours);
+    return plot;
+}
+
+void name(Plot& plot, std::size_t order, const Theme& colours) {
+    plot.labels.push_back({derivativeName(order), {plot.area.x + 8, plot.area.y + 5}, Align::left,
+                           Baseline::top, 13, true, colours.text});
+}
+
+}  // namespace
+
+std::string orderText(const std::array<double, 2>& order) {
+    const auto number = [](double value) {
+        return std::isinf(value) ? std::string("∞") : numberText(value, 0);
+    };
+    return "order " + number(order[0]) + " at 0, " + number(order[1]) + " at 1";
+}
+
+std::string derivativeName(std::size_t order) {
+    static constexpr std::array<const char*, 4> names{"B", "B′", "B″", "B‴"};
+    if (order < names.size()) return names[order];
+    static constexpr std::array<const char*, 10> digits{"⁰", "¹", "²", "³", "⁴",
+                                                        "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string raised;
+    for (const char digit : std::to_string(order)) {
+        raised += digits[static_cast<std::size_t>(digit - '0')];
+    }
+    return "B⁽" + raised + "⁾";
+}
+
+Interval niceInterval(const Interval& values, int most) noexcept {
+    const double low = std::min(0.0, values.start);
+    const double high = std::max(0.0, values.end);
+    // A derivative that is 0 up to rounding is a line along the axis, not noise blown up.
+    if (high - low < 1e-9) return {-1, 1};
+    const double step = niceStep(high - low, most);
+    return {std::floor(low / step + 1e-9) * step, std::ceil(high / step - 1e-9) * step};
+}
+
+std::vector<Plot> bFunctionPlots(const Box& box, const BFunctionContent& content,
+                                 const Theme& colours) {
+    const Box column = inside(box, {plotMargins.left, plotMargins.top + titleHeight,
+                                    plotMargins.right, namesBelow});
+    const std::size_t rows = rowsIn(column.height, content.values.size());
+    const double gaps = gap * (static_cast<double>(rows) - 1);
+    const double unit = std::max(1.0, column.height - gaps) /
+                        (static_cast<double>(rows) - 1 + bShare);
+    std::vector<Plot> plots;
+    double y = column.y;
+    for (std::size_t k = 0; k < rows; ++k) {
+        const double height = k == 0 ? unit * bShare : unit;
+        const Interval values = k < content.values.size() ? content.values[k] : Interval{0, 1};
+        plots.push_back(row({column.x, y, std::max(1.0, column.width), height}, values, k, colours));
+        Plot& plot = plots.back();
+        // Half of each gap belongs to either neighbour; the ends reach to the box.
+        const double top = k == 0 ? box.y : y - gap / 2;
+        y += height + gap;
+        const double bottom = k + 1 == rows ? box.bottom() : y - gap / 2;
+        plot.box = {box.x, top, box.width, bottom - top};
+        name(plot, k, colours);
+    }
+    nameTicksX(plots.back(), niceTicks({0, 1}, ticksAcross(column.width)), colours);
+    plots.front().labels.push_back({orderText(content.order),
+                                    {column.right(), box.y + plotMargins.top + titleHeight / 2 - 3},
+                                    Align::right, Baseline::middle, 12, false, colours.text});
+    return plots;
+}
+
+}  // namespace knotwork::ui

@@ -1,0 +1,30 @@
+// Where the panes of a figure lie: the curve large; basis functions straight above their knot
+// line; the B-function beside or below, whichever shape of figure there is to fill.
+#pragma once
+
+#include "ui/box.hpp"
+
+#include <optional>
+
+namespace knotwork::ui {
+
+struct WantedPanes {
+    bool curve = true;
+    bool basis = false;
+    bool knots = false;
+    bool bFunction = false;
+    int knotRows = 1;  ///< height of the tallest pile of knots
+};
+
+struct FigureLayout {
+    std::optional<Box> curve;
+    std::optional<Box> basis;
+    std::optional<Box> knots;
+    std::optional<Box> bFunction;
+};
+
+/// Panes that would leave too little for those that matter more are left out: first the
+/// B-function, then the basis functions, then the knot line.
+[[nodiscard]] FigureLayout layoutFigure(const Box& figure, const WantedPanes& wanted) noexcept;
+
+}  // namespace knotwork::ui

@@ -1,0 +1,91 @@
+#include "ui/plot.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace knotwork::ui {
+
+namespace {
+
+Interval extent(const std::vector<const Shape*>& shapes, std::size_t coordinate) noexcept {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Shape* shape : shapes) {
+        for (std::size_t i = coordinate; i < shape->positions.size(); i += 3) {
+            low = std::min(low, shape->positions[i]);
+            high = std::max(high, shape->positions[i]);
+        }
+    }
+    if (!(low <= high)) return {0, 1};
+    if (low == high) return {low - 0.5, high + 0.5};
+    return {low, high};
+}
+
+}  // namespace
+
+Interval extentX(const std::vector<const Shape*>& shapes) noexcept { return extent(shapes, 0); }
+Interval extentY(const std::vector<const Shape*>& shapes) noexcept { return extent(shapes, 1); }
+
+void Lines::add(const Vec3& from, const Vec3& to) {
+    segments.insert(segments.end(), {from.x, from.y, from.z, to.x, to.y, to.z});
+}
+
+void addVertical(Lines& lines, const Plot& plot, double x) {
+    lines.add({x, plot.map.unitY(plot.area.bottom()), 0}, {x, plot.map.unitY(plot.area.y), 0});
+}
+
+void addHorizontal(Lines& lines, const Plot& plot, double y) {
+    lines.add({plot.map.unitX(plot.area.x), y, 0}, {plot.map.unitX(plot.area.right()), y, 0});
+}
+
+void addGridX(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours) {
+    Lines grid{{}, colours.grid};
+    for (const Tick& tick : ticks) addVertical(grid, plot, tick.at);
+    plot.under.push_back(std::move(grid));
+}
+
+void addGridY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours) {
+    Lines grid{{}, colours.grid};
+    Lines axis{{}, colours.axis};
+    for (const Tick& tick : ticks) addHorizontal(tick.at == 0 ? axis : grid, plot, tick.at);
+    plot.under.push_back(std::move(grid));
+    plot.under.push_back(std::move(axis));
+}
+
+void nameTicksX(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours) {
+    for (const Tick& tick : ticks) {
+        plot.labels.push_back({tick.text, {plot.map.pixelX(tick.at), plot.area.bottom() + 7},
+                               Align::centre, Baseline::top, 11, false, colours.mutedText});
+    }
+}
+
+void nameTicksY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours) {
+    for (const Tick& tick : ticks) {
+        plot.labels.push_back({tick.text, {plot.area.x - 8, plot.map.pixelY(tick.at)},
+                               Align::right, Baseline::middle, 11, false, colours.mutedText});
+    }
+}
+
+int ticksAcross(double width) noexcept { return std::clamp(static_cast<int>(width / 56), 1, 12); }
+int ticksUp(double height) noexcept { return std::clamp(static_cast<int>(height / 30), 1, 8); }
+
+void addPlaneGrid(Plot& plot, const Theme& colours) {
+    const Interval x{plot.map.unitX(plot.area.x), plot.map.unitX(plot.area.right())};
+    const Interval y{plot.map.unitY(plot.area.bottom()), plot.map.unitY(plot.area.y)};
+    if (!(x.length() > 0) || !(y.length() > 0)) return;
+    // One step for both directions, about 64 pixels, keeps the cells square.
+    const double shorter = std::min(x.length(), y.length());
+    const double pixels = std::min(plot.area.width, plot.area.height);
+    const double step = niceStep(shorter, std::max(1, static_cast<int>(pixels / 64)));
+    const auto ticksOf = [&](const Interval& range) {
+        return niceTicks(range, std::max(1, static_cast<int>(range.length() / step + 0.5)));
+    };
+    Lines axis{{}, colours.axis};
+    Lines grid{{}, colours.grid};
+    for (const Tick& tick : ticksOf(x)) addVertical(tick.at == 0 ? axis : grid, plot, tick.at);
+    plot.under.push_back(std::move(grid));
+    plot.under.push_back(std::move(axis));
+    addGridY(plot, ticksOf(y), colours);
+}
+
+}  // namespace knotwork::ui

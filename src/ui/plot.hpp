@@ -1,0 +1,82 @@
+// A plot: a box of a view with axes, in whose plane the shapes of one pane are painted.
+//
+// What a plot adds to the drawing (grid, axes, cursor) lies in the same plane, so that one renderer
+// paints everything; words are labels, which the page writes over the picture.
+#pragma once
+
+#include "drawing/drawing.hpp"
+#include "ui/plane_map.hpp"
+#include "ui/theme.hpp"
+#include "ui/ticks.hpp"
+
+#include <string>
+#include <vector>
+
+namespace knotwork::ui {
+
+using drawing::Colour;
+using drawing::Pane;
+using drawing::Shape;
+
+enum class Align { left, centre, right };
+enum class Baseline { top, middle, bottom };
+
+struct Label {
+    std::string text;
+    Pixel at;
+    Align align = Align::left;
+    Baseline baseline = Baseline::middle;
+    double size = 11;  ///< CSS pixels
+    bool strong = false;
+    Colour colour;
+};
+
+/// Straight pieces in a plot's plane, two points each.
+struct Lines {
+    std::vector<double> segments;  ///< x,y,z triples
+    Colour colour;
+    double width = 1;  ///< CSS pixels
+    bool dashed = false;
+
+    void add(const Vec3& from, const Vec3& to);
+};
+
+struct Plot {
+    Pane pane = Pane::curve;
+    int index = -1;  ///< only the shapes with this index, or all of the pane
+    int object = -1; ///< only the shapes of this object, or all of them
+    Box box;         ///< what is painted, labels included
+    Box area;        ///< where the axes' intervals lie
+    PlaneMap map;
+    std::vector<Lines> under;  ///< painted before the shapes
+    std::vector<Lines> over;   ///< and after them
+    std::vector<Label> labels;
+
+    [[nodiscard]] bool shows(const Shape& shape) const noexcept {
+        return shape.pane == pane && (index < 0 || shape.index == index) &&
+               (object < 0 || shape.object == object);
+    }
+};
+
+/// Smallest and largest x or y of some shapes; nothing: [0, 1]; a single value: one about it.
+[[nodiscard]] Interval extentX(const std::vector<const Shape*>& shapes) noexcept;
+[[nodiscard]] Interval extentY(const std::vector<const Shape*>& shapes) noexcept;
+
+/// Lines across the area, from edge to edge.
+void addVertical(Lines& lines, const Plot& plot, double x);
+void addHorizontal(Lines& lines, const Plot& plot, double y);
+
+/// Grid lines across the area at the ticks of an axis, and their names beside it.
+void addGridX(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours);
+void addGridY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours);
+void nameTicksX(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours);
+void nameTicksY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours);
+
+/// How many ticks fit a length of so many pixels without crowding.
+[[nodiscard]] int ticksAcross(double width) noexcept;
+[[nodiscard]] int ticksUp(double height) noexcept;
+
+/// The plane of a curve: a square grid whose step follows the zoom, the axes a little stronger.
+void addPlaneGrid(Plot& plot, const Theme& colours);
+
+}  // namespace knotwork::ui
