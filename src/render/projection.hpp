@@ -51,7 +51,7 @@ public:
     [[nodiscard]] Vec3 toPixels(const Vec3& world) const noexcept;
     /// The same relative to the middle of the pane: what becomes float.
     [[nodiscard]] Vec3 toPane(const Vec3& world) const noexcept;
-    /// The inverse of toPixels (z of `pixels` is the depth; 0 lies in the plane of a flat one).
+    /// The inverse of toPixels (z of `pixels` is the depth; a flat one answers with the plane of its centre).
     [[nodiscard]] Vec3 fromPixels(const Vec3& pixels) const noexcept;
     /// World units per device pixel in x and y at the pane's centre.
     [[nodiscard]] Vec3 unitsPerPixel() const noexcept;
@@ -60,7 +60,8 @@ public:
     [[nodiscard]] const Vec3& centre() const noexcept { return centre_; }
 
 private:
-    Projection(const Rect& pane, const Vec3& centre, const glm::dmat4& clip) noexcept;
+    Projection(const Rect& pane, const Vec3& centre, const glm::dmat4& clip,
+               const glm::dmat4& inverse) noexcept;
 
     Rect pane_;
     Vec3 centre_;

@@ -83,11 +83,10 @@ struct Layout {
     std::span<const Attribute> attributes;
     std::size_t stride = 0;   ///< bytes from one record to the next
     bool instanced = false;   ///< one quad (strip of four vertices) per record, not one vertex
-    std::size_t window = 1;   ///< records that an instance reads from its own on
+    std::size_t window = 1;   ///< records that an instance reads, from its own on
 };
 
-/// A program with the buffer that it draws from. The buffer is filled anew for each draw and grows
-/// to the largest that was ever needed, not further.
+/// A program with the buffer that it draws from, which is filled anew for each draw.
 struct Pipeline {
     Handle<ProgramTraits> program;
     Handle<BufferTraits> buffer;
@@ -95,14 +94,14 @@ struct Pipeline {
     int viewUniform = -1;
     std::size_t stride = 0;
     std::size_t window = 1;
-    std::size_t capacity = 0;  ///< bytes
+    std::size_t bytes = 0;  ///< in the buffer
     bool instanced = false;
 
     void forget() noexcept {
         program.forget();
         buffer.forget();
         vertexArray.forget();
-        capacity = 0;
+        bytes = 0;
     }
 };
 

@@ -1,0 +1,214 @@
+#include "render/renderer.hpp"
+
+#include "render/shaders.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace knotwork::render {
+namespace {
+
+using gl::Attribute;
+using Type = gl::Attribute::Type;
+
+constexpr std::size_t lineStride = sizeof(LineVertex);
+
+// four records to an instance: before, start (with the style), end, after
+constexpr std::array lineAttributes{
+    Attribute{Type::floats, 4, 0},
+    Attribute{Type::floats, 4, lineStride},
+    Attribute{Type::floats, 2, lineStride + offsetof(LineVertex, width)},
+    Attribute{Type::colour, 4, lineStride + offsetof(LineVertex, colour)},
+    Attribute{Type::floats, 4, 2 * lineStride},
+    Attribute{Type::floats, 4, 3 * lineStride},
+};
+constexpr std::array pointAttributes{
+    Attribute{Type::floats, 3, 0},
+    Attribute{Type::floats, 4, offsetof(PointVertex, radius)},
+    Attribute{Type::colour, 4, offsetof(PointVertex, fill)},
+    Attribute{Type::colour, 4, offsetof(PointVertex, borderColour)},
+    Attribute{Type::colour, 4, offsetof(PointVertex, haloColour)},
+};
+constexpr std::array triangleAttributes{
+    Attribute{Type::floats, 3, 0},
+    Attribute{Type::colour, 4, offsetof(TriangleVertex, colour)},
+};
+
+template <class Record>
+std::span<const std::byte> bytesOf(const std::vector<Record>& records) {
+    return std::as_bytes(std::span(records));
+}
+
+Colour faded(Colour colour, double opacity) {
+    colour.alpha *= opacity;
+    return colour;
+}
+
+double strengthAt(std::span<const Highlight> highlights, std::size_t index) {
+    double strength = 0;
+    for (const Highlight& h : highlights) {
+        if (h.index == index) strength = std::max(strength, h.strength);
+    }
+    return strength;
+}
+
+}  // namespace
+
+bool Renderer::start() {
+    const auto make = [this](gl::Pipeline& pipeline, std::string_view vertexShader,
+                             std::string_view fragmentShader, const gl::Layout& layout) {
+        auto made = device_.makePipeline(vertexShader, fragmentShader, layout);
+        if (made) pipeline = std::move(made).value();
+        else message_ = made.error().message;
+        return made.ok();
+    };
+    message_.clear();
+    started_ = make(lines_, lineVertexShader, lineFragmentShader,
+                    {lineAttributes, lineStride, true, 4}) &&
+               make(points_, pointVertexShader, pointFragmentShader,
+                    {pointAttributes, sizeof(PointVertex), true, 1}) &&
+               make(triangles_, triangleVertexShader, triangleFragmentShader,
+                    {triangleAttributes, sizeof(TriangleVertex), false, 1});
+    return started_;
+}
+
+void Renderer::forget() noexcept {
+    lines_.forget();
+    points_.forget();
+    triangles_.forget();
+    lineVertices_.clear();
+    pointVertices_.clear();
+    triangleVertices_.clear();
+    batch_ = Batch::none;
+    started_ = false;
+    projection_.reset();
+}
+
+void Renderer::beginView(int width, int height, const Colour& background) {
+    stats_ = {};
+    if (!started_) return;
+    device_.prepare();
+    device_.setArea({0, 0, width, height});
+    device_.clear(background);
+}
+
+void Renderer::beginPane(const Rect& pane, const Projection& projection, double pixelRatio,
+                         const std::optional<Colour>& background) {
+    if (!started_ || pane.width <= 0 || pane.height <= 0) return;
+    projection_ = projection;
+    pixelRatio_ = pixelRatio;
+    device_.setArea(pane);
+    if (background) device_.clear(*background);
+}
+
+void Renderer::endPane() {
+    flush();
+    projection_.reset();
+}
+
+void Renderer::endView() {
+    if (started_) device_.release();
+}
+
+void Renderer::switchTo(Batch batch) {
+    if (batch == batch_) return;
+    flush();
+    batch_ = batch;
+}
+
+void Renderer::flush() {
+    const auto send = [this](gl::Pipeline& pipeline, auto& vertices) {
+        if (vertices.empty()) return;
+        device_.draw(pipeline, bytesOf(vertices.records()), projection_->pane());
+        stats_.drawCalls += 1;
+        stats_.vertices += vertices.records().size();
+        vertices.clear();
+    };
+    if (started_ && projection_) {
+        send(lines_, lineVertices_);
+        send(points_, pointVertices_);
+        send(triangles_, triangleVertices_);
+    }
+    batch_ = Batch::none;
+}
+
+void Renderer::polyline(std::span<const double> positions, const Stroke& stroke) {
+    if (!projection_) return;
+    switchTo(Batch::lines);
+    const double width = stroke.width * pixelRatio_;
+    const double period = stroke.dashed ? dashPeriod(stroke.width, pixelRatio_) : 0;
+    if (stroke.halo > 0) {
+        lineVertices_.polyline(*projection_, positions,
+                               {width + 2 * stroke.halo * pixelRatio_, 0,
+                                toBytes(stroke.haloColour)});
+    }
+    lineVertices_.polyline(*projection_, positions, {width, period, toBytes(stroke.colour)});
+}
+
+void Renderer::segments(std::span<const double> positions, const Stroke& stroke) {
+    if (!projection_) return;
+    switchTo(Batch::lines);
+    const double period = stroke.dashed ? dashPeriod(stroke.width, pixelRatio_) : 0;
+    lineVertices_.segments(*projection_, positions,
+                           {stroke.width * pixelRatio_, period, toBytes(stroke.colour),
+                            stroke.crisp});
+}
+
+void Renderer::points(std::span<const double> positions, const Dots& dots) {
+    if (!projection_) return;
+    switchTo(Batch::points);
+    PointVertex looks;
+    looks.radius = static_cast<float>(0.5 * dots.diameter * pixelRatio_);
+    looks.border = static_cast<float>(dots.border * pixelRatio_);
+    looks.square = dots.square ? 1.0F : 0.0F;
+    looks.fill = toBytes(dots.colour);
+    looks.borderColour = toBytes(dots.borderColour);
+    looks.haloColour = toBytes(dots.haloColour);
+    for (std::size_t i = 0; i < positions.size() / 3; ++i) {
+        const double halo = dots.halo * strengthAt(dots.highlights, i);
+        looks.halo = static_cast<float>(halo * pixelRatio_);
+        pointVertices_.add(*projection_,
+                           {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}, looks);
+    }
+}
+
+void Renderer::triangles(std::span<const double> positions, const Colour& colour) {
+    if (!projection_) return;
+    switchTo(Batch::triangles);
+    triangleVertices_.add(*projection_, positions, toBytes(colour));
+}
+
+void Renderer::areaUnder(std::span<const double> graph, double base, const Colour& colour) {
+    scratch_.clear();
+    appendAreaUnder(graph, base, scratch_);
+    triangles(scratch_, colour);
+}
+
+void Renderer::paint(const drawing::Shape& shape, const PaintOptions& options) {
+    const Colour colour = faded(shape.colour, options.opacity);
+    const Colour halo = options.haloColour.value_or(faded(colour, 0.25));
+    const double size = static_cast<double>(shape.width) + options.extraWidth;
+    switch (shape.kind) {
+        case drawing::Kind::polyline:
+            polyline(shape.positions,
+                     {colour, size, shape.dashed, false, options.halo, halo});
+            break;
+        case drawing::Kind::points:
+            points(shape.positions,
+                   {colour, size, shape.square, options.border,
+                    faded(options.borderColour, options.opacity), Dots{}.halo, halo,
+                    options.highlights});
+            break;
+        case drawing::Kind::triangles: triangles(shape.positions, colour); break;
+        case drawing::Kind::label: break;
+    }
+}
+
+Stats Renderer::stats() const noexcept {
+    Stats stats = stats_;
+    stats.live = device_.counts();
+    stats.bufferBytes = lines_.bytes + points_.bytes + triangles_.bytes;
+    return stats;
+}
+
+}  // namespace knotwork::render

@@ -1,0 +1,175 @@
+// The three programs. Everywhere `view` holds the pane's width and height and the position of its
+// middle in the framebuffer; positions are pixels from that middle; colours leave premultiplied.
+#pragma once
+
+#include <string_view>
+
+namespace knotwork::render {
+
+// A quad round each segment, wide enough for half a pixel of antialiasing beyond its edge.
+inline constexpr std::string_view lineVertexShader = R"(#version 300 es
+precision highp float;
+layout(location = 0) in vec4 before;
+layout(location = 1) in vec4 start;
+layout(location = 2) in vec2 style;
+layout(location = 3) in vec4 colour;
+layout(location = 4) in vec4 end;
+layout(location = 5) in vec4 after;
+uniform vec4 view;
+flat out vec4 ends;
+flat out vec4 neighbours;
+flat out vec4 arcs;
+flat out vec2 stroke;
+flat out vec4 paint;
+
+float known(float arc) { return arc >= 0.0 || arc < -1.5 ? 1.0 : 0.0; }
+
+void main() {
+    float radius = 0.5 * max(style.x, 1.0);
+    vec2 along = end.xy - start.xy;
+    float span = length(along);
+    vec2 forward = span > 0.0 ? along / span : vec2(1.0, 0.0);
+    vec2 sideways = vec2(-forward.y, forward.x);
+    bool atEnd = (gl_VertexID & 1) == 1;
+    float side = (gl_VertexID & 2) == 2 ? 1.0 : -1.0;
+    vec2 corner = (atEnd ? end.xy + forward * (radius + 1.0) : start.xy - forward * (radius + 1.0)) +
+                  side * (radius + 1.0) * sideways;
+    bool drawn = start.w >= 0.0 && end.w >= 0.0;
+    gl_Position = drawn ? vec4(corner / (0.5 * view.xy), atEnd ? end.z : start.z, 1.0) : vec4(2.0);
+    ends = vec4(start.xy, end.xy);
+    neighbours = vec4(before.xy, after.xy);
+    arcs = vec4(start.w, end.w, known(before.w), known(after.w));
+    stroke = vec2(radius, style.y);
+    paint = vec4(colour.rgb, colour.a * min(style.x, 1.0));
+}
+)";
+
+// Every pixel belongs to the nearest of neighbouring segments; were it blended once for each that
+// reaches it, joins would darken and the edges of finely divided curves would lose their
+// antialiasing. The wedge outside a join, equally far from both, belongs to the earlier one.
+inline constexpr std::string_view lineFragmentShader = R"(#version 300 es
+precision highp float;
+uniform vec4 view;
+flat in vec4 ends;
+flat in vec4 neighbours;
+flat in vec4 arcs;
+flat in vec2 stroke;
+flat in vec4 paint;
+out vec4 fragment;
+
+// parameter of the foot of p on the line through a and b, and distance of p from the segment
+vec2 nearest(vec2 p, vec2 a, vec2 b) {
+    vec2 ab = b - a;
+    float t = dot(p - a, ab) / max(dot(ab, ab), 1e-12);
+    return vec2(t, length(t <= 0.0 ? p - a : t >= 1.0 ? p - b : p - a - t * ab));
+}
+
+void main() {
+    vec2 p = gl_FragCoord.xy - view.zw;
+    vec2 own = nearest(p, ends.xy, ends.zw);
+    bool hasBefore = arcs.z > 0.5;
+    bool hasAfter = arcs.w > 0.5;
+    const float tie = 1e-3;
+    if (hasBefore) {
+        if (own.x <= 0.0) discard;
+        if (own.x < 1.0 && nearest(p, neighbours.xy, ends.xy).y < own.y - tie) discard;
+    }
+    if (hasAfter) {
+        if (own.x >= 1.0 && dot(p - ends.zw, neighbours.zw - ends.zw) > 0.0) discard;
+        if (own.x < 1.0 && nearest(p, ends.zw, neighbours.zw).y < own.y - tie) discard;
+    }
+    float away = own.y;
+    float period = stroke.y;
+    if (period > 0.0) {
+        float solid = max(0.55 * period - 2.0 * stroke.x, 0.05 * period);
+        float at = mod(mix(arcs.x, arcs.y, clamp(own.x, 0.0, 1.0)), period);
+        away = length(vec2(max(0.0, min(at - solid, period - at)), own.y));
+    }
+    float alpha = paint.a * clamp(stroke.x + 0.5 - away, 0.0, 1.0);
+    if (alpha <= 0.0) discard;
+    fragment = vec4(paint.rgb * alpha, alpha);
+}
+)";
+
+inline constexpr std::string_view pointVertexShader = R"(#version 300 es
+precision highp float;
+layout(location = 0) in vec3 centre;
+layout(location = 1) in vec4 sizes;
+layout(location = 2) in vec4 fillColour;
+layout(location = 3) in vec4 borderColour;
+layout(location = 4) in vec4 haloColour;
+uniform vec4 view;
+flat out vec2 middle;
+flat out vec4 looks;
+flat out vec4 fill;
+flat out vec4 border;
+flat out vec4 halo;
+
+vec4 premultiplied(vec4 c) { return vec4(c.rgb * c.a, c.a); }
+
+void main() {
+    float reach = sizes.x + sizes.y + sizes.z + 1.0;
+    vec2 direction = vec2((gl_VertexID & 1) == 1 ? 1.0 : -1.0, (gl_VertexID & 2) == 2 ? 1.0 : -1.0);
+    gl_Position = vec4((centre.xy + reach * direction) / (0.5 * view.xy), centre.z, 1.0);
+    middle = centre.xy;
+    looks = sizes;
+    fill = premultiplied(fillColour);
+    border = premultiplied(borderColour);
+    halo = premultiplied(haloColour);
+}
+)";
+
+inline constexpr std::string_view pointFragmentShader = R"(#version 300 es
+precision highp float;
+uniform vec4 view;
+flat in vec2 middle;
+flat in vec4 looks;
+flat in vec4 fill;
+flat in vec4 border;
+flat in vec4 halo;
+out vec4 fragment;
+
+float outsideDisc(vec2 p, float radius) { return length(p) - radius; }
+
+float outsideSquare(vec2 p, float half_) {
+    float rounding = 0.25 * half_;
+    vec2 beyond = abs(p) - (half_ - rounding);
+    return length(max(beyond, 0.0)) + min(max(beyond.x, beyond.y), 0.0) - rounding;
+}
+
+float coverage(float outside) { return clamp(0.5 - outside, 0.0, 1.0); }
+
+void main() {
+    vec2 p = gl_FragCoord.xy - view.zw - middle;
+    float outside = looks.w > 0.5 ? outsideSquare(p, looks.x) : outsideDisc(p, looks.x);
+    vec4 c = vec4(0.0);
+    if (looks.z > 0.0) c = halo * coverage(outside - looks.y - looks.z);
+    if (looks.y > 0.0) c = mix(c, border, coverage(outside - looks.y));
+    c = mix(c, fill, coverage(outside));
+    if (c.a <= 0.0) discard;
+    fragment = c;
+}
+)";
+
+inline constexpr std::string_view triangleVertexShader = R"(#version 300 es
+precision highp float;
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 colour;
+uniform vec4 view;
+flat out vec4 paint;
+
+void main() {
+    gl_Position = vec4(position.xy / (0.5 * view.xy), position.z, 1.0);
+    paint = vec4(colour.rgb * colour.a, colour.a);
+}
+)";
+
+inline constexpr std::string_view triangleFragmentShader = R"(#version 300 es
+precision mediump float;
+flat in vec4 paint;
+out vec4 fragment;
+
+void main() { fragment = paint; }
+)";
+
+}  // namespace knotwork::render
