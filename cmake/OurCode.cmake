@@ -22,13 +22,17 @@ if(KNOTWORK_SANITIZE)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
-# knotwork_layer(name [SMALL] [EXCEPT regex] [USES libraries...]): the library knotwork_<name> from
+# knotwork_layer(name [SMALL] [EXCEPT regex] [FOLDERS folders...] [USES libraries...]): the library knotwork_<name> from
 # src/<name>/*.cpp, without the files whose names match the expression.
 # A layer that has no sources is an interface library, so that the others can always name it.
 # SMALL is for code that runs a few times a frame: size counts there, speed does not.
 function(knotwork_layer name)
-    cmake_parse_arguments(PARSE_ARGV 1 layer "SMALL" "EXCEPT" "USES")
+    cmake_parse_arguments(PARSE_ARGV 1 layer "SMALL" "EXCEPT" "FOLDERS;USES")
     file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/*.cpp")
+    foreach(folder IN LISTS layer_FOLDERS)
+        file(GLOB more CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/${folder}/*.cpp")
+        list(APPEND sources ${more})
+    endforeach()
     if(layer_EXCEPT)
         list(FILTER sources EXCLUDE REGEX "/${name}/[^/]*(${layer_EXCEPT})[^/]*$")
     endif()
