@@ -22,8 +22,9 @@ if(KNOTWORK_SANITIZE)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
-# knotwork_layer(name [SMALL] [EXCEPT regex] [FOLDERS folders...] [USES libraries...]): the library knotwork_<name> from
-# src/<name>/*.cpp, without the files whose names match the expression.
+# knotwork_layer(name [SMALL] [EXCEPT regex] [FOLDERS folders...] [USES libraries...]): the library
+# knotwork_<name> from src/<name>/*.cpp and the named folders in it, without the files whose names
+# match the expression.
 # A layer that has no sources is an interface library, so that the others can always name it.
 # SMALL is for code that runs a few times a frame: size counts there, speed does not.
 function(knotwork_layer name)
