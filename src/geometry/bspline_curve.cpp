@@ -79,19 +79,6 @@ MaybeError checkCurve(int pointCount, std::span<const Vec3> points, int dimensio
     return {};
 }
 
-// C^(k) = (A^(k) - sum_{i=1..k} binomial(k, i) w^(i) C^(k-i)) / w, where rows hold A^(k) = (w C)^(k)
-// and become C^(k). Weights beyond the degree have no derivatives.
-void divideByWeights(std::span<Vec3> rows, std::span<const double> weights) noexcept {
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        double binomial = 1;
-        for (std::size_t i = 1; i <= k && i < weights.size(); ++i) {
-            binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
-            rows[k] -= binomial * weights[i] * rows[k - i];
-        }
-        rows[k] /= weights[0];
-    }
-}
-
 }  // namespace
 
 BsplineCurve::BsplineCurve(KnotVector knots, std::vector<Vec3> points, int dimension,
@@ -148,7 +135,10 @@ void BsplineCurve::derivatives(double t, Side side, std::span<Vec3> rows) const 
             weightRows[order] += factor;
         }
     }
-    if (rational_) divideByWeights(rows, std::span(weightRows).first(degree + 1));
+    if (rational_) {
+        kernels::quotientRule(rows.size(), std::span(weightRows).first(degree + 1),
+                              [&](std::size_t k) -> Vec3& { return rows[k]; });
+    }
 }
 
 }  // namespace knotwork

@@ -88,4 +88,19 @@ template <class Knot, class Scalar, class Point>
     return points[degree];
 }
 
+/// The quotient rule f^(k) = ((w f)^(k) - sum_{i=1..k} binomial(k, i) w^(i) f^(k-i)) / w, in place:
+/// row(k), k < rows, refers to (w f)^(k) and becomes f^(k). `weights` holds w, w', …; further
+/// derivatives of w are zero.
+template <class Row>
+constexpr void quotientRule(std::size_t rows, std::span<const double> weights, Row row) {
+    for (std::size_t k = 0; k < rows; ++k) {
+        double binomial = 1;
+        for (std::size_t i = 1; i <= k && i < weights.size(); ++i) {
+            binomial *= static_cast<double>(k - i + 1) / static_cast<double>(i);
+            row(k) -= binomial * weights[i] * row(k - i);
+        }
+        row(k) /= weights[0];
+    }
+}
+
 }  // namespace knotwork::kernels

@@ -184,6 +184,18 @@ std::vector<double> extendPeriod(std::span<const double> period, std::size_t deg
 
 }  // namespace
 
+double wrapParameter(const Interval& period, double t, Side side) noexcept {
+    if (period.start < t && t < period.end) return t;
+    double inside = t;
+    if (!period.contains(t)) {
+        double past = std::fmod(t - period.start, period.length());
+        if (past < 0) past += period.length();
+        inside = std::clamp(period.start + past, period.start, period.end);
+    }
+    if (side == Side::right) return inside == period.end ? period.start : inside;
+    return inside == period.start ? period.end : inside;
+}
+
 KnotVector::KnotVector(std::vector<double> knots, int degree, int pointCount, Form form)
     : extended_(form == Form::closed ? extendPeriod(knots, static_cast<std::size_t>(degree))
                                      : std::move(knots)),
@@ -250,15 +262,7 @@ int KnotVector::multiplicity(double t) const noexcept {
 }
 
 double KnotVector::wrap(double t, Side side) const noexcept {
-    const Interval all = domain();
-    if (!closed() || (all.start < t && t < all.end)) return t;
-    const double excluded = side == Side::right ? all.end : all.start;
-    const double included = side == Side::right ? all.start : all.end;
-    if (all.contains(t)) return t == excluded ? included : t;
-    double past = std::fmod(t - all.start, all.length());
-    if (past < 0) past += all.length();
-    const double wrapped = std::clamp(all.start + past, all.start, all.end);
-    return wrapped == excluded ? included : wrapped;
+    return closed() ? wrapParameter(domain(), t, side) : t;
 }
 
 std::vector<double> KnotVector::grevilles() const {

@@ -23,6 +23,10 @@ inline constexpr int maxPointCount = 100'000;
 /// open: any knots, no end conditions. closed: periodic.
 enum class Form { clamped, open, closed };
 
+/// t moved by whole periods into [start, end) for the right side, (start, end] for the left.
+/// Parameters that are there already do not change.
+[[nodiscard]] double wrapParameter(const Interval& period, double t, Side side) noexcept;
+
 class KnotVector {
 public:
     /// Checks knots in the form described above. Refusals: OUT_OF_RANGE or TOO_LARGE `degree`
@@ -62,8 +66,7 @@ public:
     /// How many knots equal t (modulo the period of a closed vector).
     [[nodiscard]] int multiplicity(double t) const noexcept;
 
-    /// A closed vector: t moved by whole periods into [start, end) for the right side and
-    /// (start, end] for the left. Others: t itself. Parameters of the domain do not change.
+    /// A closed vector: wrapParameter() into the domain. Others: t itself.
     [[nodiscard]] double wrap(double t, Side side = Side::right) const noexcept;
 
     /// The point of the control polygon that active function j (0 … d) of a span belongs to.

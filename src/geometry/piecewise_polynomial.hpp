@@ -35,19 +35,39 @@ public:
     void at(std::span<const double> ts, int derivatives, std::span<double> xyz) const noexcept;
 
 private:
+    // Answers for start ≤ t < end; the outermost pieces of a curve that is not closed reach to
+    // infinity. u = (t - origin) · scale is in [-1, 1] for the power form, [0, 1] for Bernstein's.
     struct Piece {
         double start;
-        double centre;  ///< u = (t - centre) · scale
+        double end;
+        double origin;
         double scale;
     };
+    struct Terms;
 
-    std::vector<Piece> pieces_;         ///< one per span that is not empty, ascending
-    std::vector<double> coefficients_;  ///< of piece p, power k, component c: [(p(d+1)+k)C + c]
+    void addPiece(const BsplineCurve& curve, std::size_t span);
+    [[nodiscard]] std::size_t pieceAt(double t) const noexcept;
+    [[nodiscard]] Terms termsOf(std::size_t piece) const noexcept;
+    void evaluate(const Terms& terms, const double* us, std::size_t count,
+                  double* xyz) const noexcept;
+    void uniformRun(std::size_t piece, std::size_t first, std::size_t count, std::size_t total,
+                    double* xyz) const noexcept;
+    std::size_t run(std::span<const double> ts, std::size_t first, int derivatives,
+                    std::span<double> xyz) const noexcept;
+    void rows(std::size_t piece, const double* us, std::size_t count, int derivatives,
+              std::size_t stride, double* xyz) const noexcept;
+    void rationalRows(std::size_t piece, const double* us, std::size_t count, int derivatives,
+                      std::size_t stride, double* xyz) const noexcept;
+    void fixEnd(double t, double* xyz) const noexcept;
+
+    std::vector<Piece> pieces_;         // one per span that is not empty, ascending
+    std::vector<double> coefficients_;  // of piece p, term k, axis i: [(p (d+1) + k) components + i]
     Interval domain_;
     Vec3 startPoint_;
     Vec3 endPoint_;
     std::size_t degree_;
-    std::size_t components_;  ///< 2: z is zero, 3, or 4: homogeneous
+    std::size_t components_;  // 2: z is zero; 3; or 4: homogeneous
+    bool bernstein_;
     bool closed_;
 };
 

@@ -1,0 +1,105 @@
+// Two doubles at a time: WebAssembly's 128-bit vectors, elsewhere the compiler's own vectors,
+// which it lowers to SSE2, NEON or plain arithmetic.
+//
+// Written with the intrinsics because LLVM 14 does not vectorise lane loops for wasm, and engines
+// recognise the shuffles of wasm_i32x4_shuffle where they miss __builtin_shufflevector's.
+#pragma once
+
+#include <cstddef>
+
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#else
+#include <cstring>
+#endif
+
+namespace knotwork::simd {
+
+#if defined(__wasm_simd128__)
+
+struct Double2 {
+    v128_t lanes;
+};
+
+[[nodiscard]] inline Double2 splat(double value) noexcept { return {wasm_f64x2_splat(value)}; }
+[[nodiscard]] inline Double2 load(const double* from) noexcept { return {wasm_v128_load(from)}; }
+[[nodiscard]] inline Double2 loadSplat(const double* from) noexcept {
+    return {wasm_v128_load64_splat(from)};
+}
+inline void store(double* to, Double2 value) noexcept { wasm_v128_store(to, value.lanes); }
+
+[[nodiscard]] inline Double2 operator+(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_add(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline Double2 operator-(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_sub(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline Double2 operator*(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_mul(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline Double2 operator/(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_div(a.lanes, b.lanes)};
+}
+
+/// (a0, b0), (a0, b1) and (a1, b1).
+[[nodiscard]] inline Double2 firstFirst(Double2 a, Double2 b) noexcept {
+    return {wasm_i32x4_shuffle(a.lanes, b.lanes, 0, 1, 4, 5)};
+}
+[[nodiscard]] inline Double2 firstSecond(Double2 a, Double2 b) noexcept {
+    return {wasm_i32x4_shuffle(a.lanes, b.lanes, 0, 1, 6, 7)};
+}
+[[nodiscard]] inline Double2 secondSecond(Double2 a, Double2 b) noexcept {
+    return {wasm_i32x4_shuffle(a.lanes, b.lanes, 2, 3, 6, 7)};
+}
+
+#else
+
+typedef double Lanes __attribute__((vector_size(16)));
+
+struct Double2 {
+    Lanes lanes;
+};
+
+[[nodiscard]] inline Double2 splat(double value) noexcept { return {Lanes{value, value}}; }
+[[nodiscard]] inline Double2 load(const double* from) noexcept {
+    Double2 value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+}
+[[nodiscard]] inline Double2 loadSplat(const double* from) noexcept { return splat(*from); }
+inline void store(double* to, Double2 value) noexcept { std::memcpy(to, &value, sizeof value); }
+
+[[nodiscard]] inline Double2 operator+(Double2 a, Double2 b) noexcept {
+    return {a.lanes + b.lanes};
+}
+[[nodiscard]] inline Double2 operator-(Double2 a, Double2 b) noexcept {
+    return {a.lanes - b.lanes};
+}
+[[nodiscard]] inline Double2 operator*(Double2 a, Double2 b) noexcept {
+    return {a.lanes * b.lanes};
+}
+[[nodiscard]] inline Double2 operator/(Double2 a, Double2 b) noexcept {
+    return {a.lanes / b.lanes};
+}
+
+/// (a0, b0), (a0, b1) and (a1, b1).
+[[nodiscard]] inline Double2 firstFirst(Double2 a, Double2 b) noexcept {
+    return {Lanes{a.lanes[0], b.lanes[0]}};
+}
+[[nodiscard]] inline Double2 firstSecond(Double2 a, Double2 b) noexcept {
+    return {Lanes{a.lanes[0], b.lanes[1]}};
+}
+[[nodiscard]] inline Double2 secondSecond(Double2 a, Double2 b) noexcept {
+    return {Lanes{a.lanes[1], b.lanes[1]}};
+}
+
+#endif
+
+/// Two points as x0 y0 z0 x1 y1 z1.
+inline void storeInterleaved(double* to, Double2 x, Double2 y, Double2 z) noexcept {
+    store(to, firstFirst(x, y));
+    store(to + 2, firstSecond(z, x));
+    store(to + 4, secondSecond(y, z));
+}
+
+}  // namespace knotwork::simd
