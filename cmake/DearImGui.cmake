@@ -23,16 +23,21 @@ if(imgui_version LESS 19000)
         "Dear ImGui in ${imgui_dir} has version number ${imgui_version}; 19000 (1.90) is needed.")
 endif()
 
-# The demo stays out; our own panels and scenes are what there is to show.
+# The demo stays out; our own panels and scenes are what there is to show. Natively (for tests of the
+# panels) there is no back end, since there is nothing to draw on.
 add_library(knotwork_imgui STATIC
     "${imgui_dir}/imgui.cpp" "${imgui_dir}/imgui_draw.cpp" "${imgui_dir}/imgui_tables.cpp"
-    "${imgui_dir}/imgui_widgets.cpp" "${imgui_dir}/backends/imgui_impl_opengl3.cpp")
+    "${imgui_dir}/imgui_widgets.cpp")
 target_compile_definitions(knotwork_imgui PUBLIC
-    IMGUI_IMPL_OPENGL_ES3 IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_DEBUG_TOOLS
-    IMGUI_DISABLE_FILE_FUNCTIONS IMGUI_DISABLE_OBSOLETE_FUNCTIONS)
-target_compile_options(knotwork_imgui PRIVATE -w -fno-exceptions -fno-rtti -Oz)
-target_include_directories(knotwork_imgui SYSTEM
-    PUBLIC "${imgui_dir}" "${imgui_dir}/backends")
+    IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_FILE_FUNCTIONS
+    IMGUI_DISABLE_OBSOLETE_FUNCTIONS)
+target_compile_options(knotwork_imgui PRIVATE -w -fno-exceptions -fno-rtti)
+target_include_directories(knotwork_imgui SYSTEM PUBLIC "${imgui_dir}" "${imgui_dir}/backends")
+if(EMSCRIPTEN)
+    target_sources(knotwork_imgui PRIVATE "${imgui_dir}/backends/imgui_impl_opengl3.cpp")
+    target_compile_definitions(knotwork_imgui PRIVATE IMGUI_IMPL_OPENGL_ES3)
+    target_compile_options(knotwork_imgui PRIVATE -Oz)
+endif()
 add_library(knotwork::imgui ALIAS knotwork_imgui)
 
 include(UiFont)

@@ -1,3 +1,10 @@
+# The session behind the bindings is plain C++: everything in src/bindings but the registration.
+file(GLOB session_sources CONFIGURE_DEPENDS
+    "${PROJECT_SOURCE_DIR}/src/bindings/marshal*.cpp"
+    "${PROJECT_SOURCE_DIR}/src/bindings/session*.cpp")
+add_library(knotwork_session STATIC ${session_sources})
+target_link_libraries(knotwork_session PUBLIC knotwork_drawing PRIVATE knotwork_our_code)
+
 # The C++ tests. KNOTWORK_TESTS=OFF compiles the libraries only (a second compiler's opinion).
 option(KNOTWORK_TESTS "Build the C++ tests" ON)
 if(NOT KNOTWORK_TESTS)
@@ -16,5 +23,5 @@ target_include_directories(knotwork_tests PRIVATE "${PROJECT_SOURCE_DIR}/tests/c
 target_compile_definitions(knotwork_tests PRIVATE
     KNOTWORK_SOURCE_DIR="${PROJECT_SOURCE_DIR}" $<$<BOOL:${KNOTWORK_SANITIZE}>:KNOTWORK_SANITIZED>)
 target_link_libraries(knotwork_tests PRIVATE
-    knotwork_app knotwork_our_code GTest::gtest_main)
+    knotwork_session knotwork_app knotwork_our_code GTest::gtest_main)
 add_test(NAME knotwork_tests COMMAND knotwork_tests)

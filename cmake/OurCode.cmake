@@ -5,6 +5,10 @@ set(KNOTWORK_CODE_OPTIONS -ffp-contract=off -fno-exceptions -fno-rtti)
 
 set(KNOTWORK_WARNING_OPTIONS
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+    # a false alarm of its own std::string: GCC's bug 105651
+    list(APPEND KNOTWORK_WARNING_OPTIONS -Wno-restrict)
+endif()
 
 if(EMSCRIPTEN)
     list(APPEND KNOTWORK_CODE_OPTIONS -msimd128)
@@ -26,7 +30,8 @@ endif()
 # knotwork_<name> from src/<name>/*.cpp and the named folders in it, without the files whose names
 # match the expression.
 # A layer that has no sources is an interface library, so that the others can always name it.
-# SMALL is for code that runs a few times a frame: size counts there, speed does not.
+# What calls WebGL lies in src/<name>/gl and is compiled for wasm only; everything else also natively,
+# for the tests. SMALL is for code that runs a few times a frame: size counts there, speed does not.
 function(knotwork_layer name)
     cmake_parse_arguments(PARSE_ARGV 1 layer "SMALL" "EXCEPT" "FOLDERS;USES")
     file(GLOB sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/*.cpp")
@@ -37,10 +42,14 @@ function(knotwork_layer name)
     if(layer_EXCEPT)
         list(FILTER sources EXCLUDE REGEX "/${name}/[^/]*(${layer_EXCEPT})[^/]*$")
     endif()
+    if(EMSCRIPTEN)
+        file(GLOB gl_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${name}/gl/*.cpp")
+        list(APPEND sources ${gl_sources})
+    endif()
     if(sources)
         add_library(knotwork_${name} STATIC ${sources})
         target_link_libraries(knotwork_${name} PUBLIC ${layer_USES} PRIVATE knotwork_our_code)
-        if(layer_SMALL)
+        if(layer_SMALL AND EMSCRIPTEN)
             target_compile_options(knotwork_${name} PRIVATE -Oz)
         endif()
     else()

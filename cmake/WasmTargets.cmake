@@ -12,4 +12,5 @@ knotwork_wasm_module(knotwork EXPORT_NAME createKnotwork
 knotwork_wasm_module(knotwork_page EXPORT_NAME createKnotworkPage
     SOURCES ${page_sources}
     USES knotwork_app
-    LINK -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2)
+    LINK -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
+        -sEXPORTED_RUNTIME_METHODS=GL)  # the page makes the context and hands it over
