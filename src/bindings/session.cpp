@@ -45,6 +45,13 @@ Result<Json> Session::input(unsigned bytes) const {
     return scene::parseCbor({room_.data(), std::min<std::size_t>(bytes, room_.size())});
 }
 
+std::string Session::inputText(unsigned bytes) {
+    auto given = input(bytes);
+    if (given) return scene::dumpJson(*given);
+    refuse(given.error());
+    return {};
+}
+
 int Session::leave(std::vector<double> numbers, std::size_t count) {
     bulk_ = std::move(numbers);
     return static_cast<int>(count);

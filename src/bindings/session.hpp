@@ -47,6 +47,8 @@ public:
     void dropBulk();
     /// Forgets a value; an unknown handle is ignored.
     void release(int handle);
+    /// The CBOR of the last input as JSON text, word for word.
+    [[nodiscard]] std::string inputText(unsigned bytes);
     /// How many values are held.
     [[nodiscard]] int held() const { return held_; }
 
@@ -63,16 +65,15 @@ public:
     [[nodiscard]] bool bFunctionSample(int handle, unsigned first, unsigned count, unsigned total);
     [[nodiscard]] std::string bFunctions() const;
 
-    // Curves of every kind.
+    // Curves of every kind. What makes one also leaves in block: start and end of its domain, 1
+    // where it is closed, its dimension, and its kind's place in Curve::Kind.
     [[nodiscard]] int curve(unsigned bytes);
     [[nodiscard]] std::string curveSpec(int handle);
-    /// block: start and end of the domain, 1 where closed, dimension, and the kind's place in
-    /// Curve::Kind.
-    [[nodiscard]] bool curveTraits(int handle);
     /// block: x, y, z.
     [[nodiscard]] bool curvePoint(int handle, double t);
-    /// block: n+1 rows of x, y, z.
-    [[nodiscard]] bool curveDerivatives(int handle, double t, int n, bool left);
+    /// block: n+1 rows of x, y, z. `side` is -1 for the left, 1 for the right, and 0 for the right
+    /// but the left at the end of the domain.
+    [[nodiscard]] bool curveDerivatives(int handle, double t, int n, int side);
     /// block: `count` ≤ 1024 points, the first at `first` of `total` uniform ones.
     [[nodiscard]] bool curveSample(int handle, unsigned first, unsigned count, unsigned total);
     /// block: at the first `count` of parameters() all points, then all first derivatives, …;

@@ -29,6 +29,12 @@ std::size_t rowsOf(int derivatives) noexcept { return static_cast<std::size_t>(d
 
 int Session::holdCurve(Result<Made<Curve>> made) {
     if (!made) return refuse(made.error());
+    const Interval whole = domain(made->value);
+    block_[0] = whole.start;
+    block_[1] = whole.end;
+    block_[2] = isClosed(made->value) ? 1 : 0;
+    block_[3] = dimension(made->value);
+    block_[4] = static_cast<double>(made->value.kind().index());
     return hold(std::make_unique<CurveValue>(CurveValue{std::move(*made), std::nullopt}));
 }
 
@@ -43,19 +49,6 @@ std::string Session::curveSpec(int handle) {
     return held ? scene::dumpJson(held->made.spec) : std::string();
 }
 
-bool Session::curveTraits(int handle) {
-    const auto* held = find<CurveValue>(handle);
-    if (!held) return false;
-    const Curve& curve = held->made.value;
-    const Interval whole = domain(curve);
-    block_[0] = whole.start;
-    block_[1] = whole.end;
-    block_[2] = isClosed(curve) ? 1 : 0;
-    block_[3] = dimension(curve);
-    block_[4] = static_cast<double>(curve.kind().index());
-    return true;
-}
-
 bool Session::curvePoint(int handle, double t) {
     const auto* held = find<CurveValue>(handle);
     if (!held) return false;
@@ -65,12 +58,13 @@ bool Session::curvePoint(int handle, double t) {
     return true;
 }
 
-bool Session::curveDerivatives(int handle, double t, int n, bool left) {
+bool Session::curveDerivatives(int handle, double t, int n, int side) {
     const auto* held = find<CurveValue>(handle);
     if (!held) return false;
     if (auto order = checkDerivative(n, "n"); !order) return refuse(order.error());
     const auto inside = parameterInDomain(held->made.value, t);
     if (!inside) return refuse(inside.error());
+    const bool left = side < 0 || (side == 0 && *inside == domain(held->made.value).end);
     std::array<Vec3, maximumDerivative + 1> rows{};
     evaluate(held->made.value, *inside, left ? Side::left : Side::right,
              {rows.data(), rowsOf(n)});

@@ -1,0 +1,38 @@
+// The interface that load() gives, over either of the two modules.
+
+import { makeBFunction } from './b-function.mjs';
+import { Core } from './core.mjs';
+import { makeCurve } from './curve.mjs';
+import { decodeLink, encodeLink } from './links.mjs';
+import { openScene } from './scene.mjs';
+
+/**
+ * @param {import('./core.mjs').Module} module
+ */
+export function makeApi(module) {
+    const core = new Core(module);
+    return Object.freeze({
+        /** @param {unknown} spec */
+        bFunction: (spec) => makeBFunction(core, spec),
+        get bFunctions() {
+            return core.json('bFunctions');
+        },
+        /** @param {unknown} spec */
+        curve: (spec) => makeCurve(core, spec),
+        get parametricCurves() {
+            return core.json('parametricCurves');
+        },
+        /** @param {unknown} document */
+        scene: (document) => openScene(core, document),
+        get scenes() {
+            return core.json('scenes');
+        },
+        /** @param {unknown} document */
+        encodeLink: async (document) => encodeLink(core, document),
+        /** @param {unknown} link */
+        decodeLink: async (link) => decodeLink(core, link),
+        documentSchema: () => core.json('documentSchema'),
+        /** The session of the module, for the application that draws its scenes. */
+        session: core.session,
+    });
+}

@@ -1,0 +1,200 @@
+// Plain data on its way into the core, as CBOR (RFC 8949): doubles cross exactly, NaN included, so
+// that the core can say where it stands. Everything that is not plain data is refused here.
+
+import { isFloat64Array, isPlain, lengthOfNumbers } from './check.mjs';
+import { describe, KnotworkError } from './errors.mjs';
+
+/** How deep a document may be nested, and how many bytes may cross at once. */
+const deepest = 32;
+const mostBytes = 16 * 2 ** 20;
+
+const majorBytes = 0x40;
+const majorText = 0x60;
+const majorArray = 0x80;
+const openMap = 0xbf;
+const closeMap = 0xff;
+const simple = { false: 0xf4, true: 0xf5, null: 0xf6 };
+const double = 0xfb;
+
+const loneSurrogate = /[\uD800-\uDFFF]/u;
+const utf8 = new TextEncoder();
+
+/** Writes one value after the other into a buffer that is used again. */
+export class Encoder {
+    #bytes = new Uint8Array(4096);
+    #view = new DataView(this.#bytes.buffer);
+    #length = 0;
+    /** @type {(string | number)[]} keys and indices that lead to where the encoder is */
+    #trail = [];
+    #busy = false;
+
+    /** Whether a value is being encoded, as it is when a getter in it makes another call. */
+    get busy() {
+        return this.#busy;
+    }
+
+    /**
+     * The bytes, until the next call.
+     * @param {unknown} value
+     * @returns {Uint8Array}
+     */
+    encode(value) {
+        this.#length = 0;
+        this.#trail.length = 0;
+        this.#busy = true;
+        try {
+            this.#value(value);
+        } catch (problem) {
+            throw problem instanceof KnotworkError ? problem : this.#refusal('WRONG_TYPE', 'Reading this value failed; give plain data.');
+        } finally {
+            this.#busy = false;
+        }
+        return this.#bytes.subarray(0, this.#length);
+    }
+
+    /** @param {unknown} value */
+    #value(value) {
+        switch (typeof value) {
+            case 'number': return this.#number(value);
+            case 'string': return this.#text(value);
+            case 'boolean': return this.#byte(value ? simple.true : simple.false);
+            case 'object': return this.#object(value);
+            default: throw this.#refusal('WRONG_TYPE', `Give plain data here, not ${describe(value)}.`);
+        }
+    }
+
+    /** @param {object | null} value */
+    #object(value) {
+        if (value === null) return this.#byte(simple.null);
+        if (this.#trail.length >= deepest) {
+            throw this.#refusal('TOO_LARGE', `This is nested more than ${deepest} levels deep, or contains itself.`);
+        }
+        if (isFloat64Array(value)) return this.#numbers(value);
+        if (Array.isArray(value)) return this.#list(value);
+        if (isPlain(value)) return this.#fields(/** @type {Record<string, unknown>} */ (value));
+        throw this.#refusal('WRONG_TYPE', 'Only plain objects, arrays and Float64Arrays are data; this is something else.');
+    }
+
+    /** @param {Record<string, unknown>} object */
+    #fields(object) {
+        this.#byte(openMap);
+        for (const key of Object.keys(object)) {
+            this.#trail.push(key);
+            const value = object[key];
+            if (value !== undefined) {
+                this.#text(key);
+                this.#value(value);
+            }
+            this.#trail.pop();
+        }
+        this.#byte(closeMap);
+    }
+
+    /** @param {unknown[]} list */
+    #list(list) {
+        const { length } = list;
+        this.#head(majorArray, length);
+        for (let i = 0; i < length; ++i) {
+            const value = list[i];
+            if (typeof value === 'number') {
+                this.#number(value);
+            } else {
+                this.#trail.push(i);
+                this.#value(value);
+                this.#trail.pop();
+            }
+        }
+    }
+
+    /** @param {Float64Array} numbers */
+    #numbers(numbers) {
+        const length = lengthOfNumbers(numbers);
+        this.#head(majorBytes, 8 * length);
+        this.#reserve(8 * length);
+        for (let i = 0; i < length; ++i, this.#length += 8) {
+            this.#view.setFloat64(this.#length, numbers[i], true);
+        }
+    }
+
+    /** @param {number} value */
+    #number(value) {
+        this.#reserve(9);
+        this.#bytes[this.#length] = double;
+        this.#view.setFloat64(this.#length + 1, value);
+        this.#length += 9;
+    }
+
+    /** @param {string} text */
+    #text(text) {
+        const { length } = text;
+        this.#head(majorText, length);
+        this.#reserve(length);
+        const start = this.#length;
+        for (let i = 0; i < length; ++i) {
+            const unit = text.charCodeAt(i);
+            if (unit > 0x7f) {
+                this.#length = start - headSize(length);
+                return this.#unicode(text);
+            }
+            this.#bytes[start + i] = unit;
+        }
+        this.#length = start + length;
+    }
+
+    /** @param {string} text */
+    #unicode(text) {
+        if (loneSurrogate.test(text)) {
+            throw this.#refusal('WRONG_TYPE', 'This string has half a surrogate pair in it and is no valid text.');
+        }
+        const encoded = utf8.encode(text);
+        this.#head(majorText, encoded.length);
+        this.#reserve(encoded.length);
+        this.#bytes.set(encoded, this.#length);
+        this.#length += encoded.length;
+    }
+
+    /** @param {number} major @param {number} length */
+    #head(major, length) {
+        if (length < 24) return this.#byte(major + length);
+        this.#reserve(5);
+        if (length > mostBytes) throw this.#tooLarge();
+        this.#bytes[this.#length] = major + 26;
+        this.#view.setUint32(this.#length + 1, length);
+        this.#length += 5;
+    }
+
+    /** @param {number} byte */
+    #byte(byte) {
+        this.#reserve(1);
+        this.#bytes[this.#length++] = byte;
+    }
+
+    /** @param {number} more */
+    #reserve(more) {
+        const needed = this.#length + more;
+        if (needed <= this.#bytes.length) return;
+        if (needed > mostBytes) throw this.#tooLarge();
+        const grown = new Uint8Array(2 ** Math.ceil(Math.log2(needed)));
+        grown.set(this.#bytes.subarray(0, this.#length));
+        this.#bytes = grown;
+        this.#view = new DataView(grown.buffer);
+    }
+
+    #tooLarge() {
+        return this.#refusal('TOO_LARGE', `This is more than ${mostBytes} bytes of data.`);
+    }
+
+    /** @param {string} code @param {string} message */
+    #refusal(code, message) {
+        return new KnotworkError(code, pathOf(this.#trail), message);
+    }
+}
+
+/** @param {number} length */
+const headSize = (length) => (length < 24 ? 1 : 5);
+
+/** @param {(string | number)[]} trail */
+function pathOf(trail) {
+    const parts = trail.map((step) => (typeof step === 'number' ? `[${step}]` : `.${step}`));
+    return parts.join('').replace(/^\./, '');
+}

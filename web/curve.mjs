@@ -1,0 +1,182 @@
+// Curves as values: what every kind answers, and what B-spline and blending curves answer besides.
+
+import {
+    choice, derivativeOrder, finite, integer, numbers, options, sampleCount, target,
+} from './check.mjs';
+import { Held } from './held.mjs';
+import { fill, fillAt } from './samples.mjs';
+
+/** @typedef {import('./core.mjs').Core} Core */
+/** @typedef {'left' | 'right'} Side */
+
+/** The largest multiplicity that anyone can ask for; the core says which fits the degree. */
+const mostTimes = 1000;
+
+const sides = /** @type {const} */ (['left', 'right']);
+
+export class Curve extends Held {
+    #start;
+    #end;
+    #closed;
+    #dimension;
+
+    /** @param {Core} core @param {number} handle of a curve made just now, its traits in the block */
+    constructor(core, handle) {
+        super(core, handle);
+        this.#start = core.number(0);
+        this.#end = core.number(1);
+        this.#closed = core.number(2) === 1;
+        this.#dimension = core.number(3);
+    }
+
+    /** @returns {[number, number]} */
+    get domain() {
+        Held.of(this);
+        return [this.#start, this.#end];
+    }
+
+    get closed() {
+        Held.of(this);
+        return this.#closed;
+    }
+
+    /** 2 where it lies in the plane z = 0, otherwise 3. */
+    get dimension() {
+        Held.of(this);
+        return this.#dimension;
+    }
+
+    /** @param {number} t */
+    point(t) {
+        const { core, handle } = Held.of(this);
+        core.ask('curvePoint', handle, finite(t, 't'));
+        return core.point(0);
+    }
+
+    /** @param {number} t @param {number} n @param {{ side?: Side }} [given] */
+    derivatives(t, n, given) {
+        const { core, handle } = Held.of(this);
+        const order = derivativeOrder(n, 'n');
+        core.ask('curveDerivatives', handle, finite(t, 't'), order, sideNumber(options(given, ['side']).side));
+        return Array.from({ length: order + 1 }, (_, k) => core.point(k));
+    }
+
+    /** @param {number} count @param {{ into?: Float64Array }} [given] */
+    sample(count, given) {
+        const { core, handle } = Held.of(this);
+        const total = sampleCount(count);
+        const answer = target(options(given, ['into']).into, 3 * total);
+        fill(core, answer, total, 3, (first, part) => {
+            core.ask('curveSample', handle, first, part, total);
+        });
+        return answer;
+    }
+
+    /** @param {ArrayLike<number>} ts @param {{ derivatives?: number, into?: Float64Array }} [given] */
+    sampleAt(ts, given) {
+        const { core, handle } = Held.of(this);
+        const { derivatives = 0, into } = options(given, ['derivatives', 'into']);
+        const parameters = numbers(ts, 'ts');
+        const order = derivativeOrder(derivatives, 'derivatives');
+        const answer = target(into, 3 * parameters.length * (order + 1));
+        fillAt(core, handle, parameters, order, answer);
+        return answer;
+    }
+
+    /** @param {{ tolerance?: number }} [given] */
+    polyline(given) {
+        const { core, handle } = Held.of(this);
+        const { tolerance = 1e-3 } = options(given, ['tolerance']);
+        const count = core.count('curvePolyline', handle, finite(tolerance, 'tolerance'));
+        const both = core.bulk(4 * count);
+        core.call('dropBulk');
+        return { points: both.slice(0, 3 * count), parameters: both.slice(3 * count) };
+    }
+
+    /** What it was made from, defaults filled in. */
+    get spec() {
+        const { core, handle } = Held.of(this);
+        return core.json('curveSpec', handle);
+    }
+}
+
+/** @param {unknown} side */
+function sideNumber(side) {
+    if (side === undefined) return 0;
+    return choice(side, 'side', sides) === 'left' ? -1 : 1;
+}
+
+export class ParametricCurve extends Curve {}
+
+/** @param {Curve} curve @param {string} list */
+function listOf(curve, list) {
+    const { core, handle } = Held.of(curve);
+    return Array.from(core.bulk(core.count(list, handle)));
+}
+
+export class BsplineCurve extends Curve {
+    /** The knots in the form in which they are given: one period of a closed curve. */
+    get knots() {
+        return listOf(this, 'curveKnots');
+    }
+
+    /** The Greville abscissae, one a point. */
+    get greville() {
+        return listOf(this, 'curveGrevilles');
+    }
+
+    /** The same curve with one more knot. @param {number} t @param {number} [times] */
+    insertKnot(t, times = 1) {
+        const { core, handle } = Held.of(this);
+        const often = integer(times, 'times', 1, mostTimes);
+        return adopt(core, core.ask('curveInsertKnot', handle, finite(t, 't'), often));
+    }
+
+    /** Row k: the k-th derivative of all n basis functions at t. @param {number} t @param {{ derivatives?: number }} [given] */
+    basis(t, given) {
+        const { core, handle } = Held.of(this);
+        const { derivatives = 0 } = options(given, ['derivatives']);
+        const order = derivativeOrder(derivatives, 'derivatives');
+        const count = core.count('curveBasis', handle, finite(t, 't'), order);
+        const rows = core.bulk(count * (order + 1));
+        return Array.from({ length: order + 1 }, (_, k) => Array.from(rows.subarray(k * count, (k + 1) * count)));
+    }
+}
+
+export class BlendingCurve extends Curve {
+    /** Where each local curve is centred; a closed curve has one more, a period after the first. */
+    get knots() {
+        return listOf(this, 'curveKnots');
+    }
+
+    /** The same curve with local curve j in another pose. @param {number} j @param {object} pose */
+    withPose(j, pose) {
+        const { core, handle } = Held.of(this);
+        const local = integer(j, 'j', 0, 2 ** 31 - 1);
+        return adopt(core, core.ask('curveWithPose', handle, local, core.send(pose)));
+    }
+
+    /** The weights with which the local curves are blended at t. @param {number} t */
+    blendBasis(t) {
+        const { core, handle } = Held.of(this);
+        return Array.from(core.bulk(core.count('curveBlendBasis', handle, finite(t, 't'))));
+    }
+}
+
+/** In the order of Curve::Kind. */
+const kinds = [BsplineCurve, ParametricCurve, BlendingCurve];
+
+/**
+ * The curve behind a handle that was made just now.
+ * @param {Core} core
+ * @param {number} handle
+ * @returns {Curve}
+ */
+function adopt(core, handle) {
+    return new kinds[core.number(4)](core, handle);
+}
+
+/** @param {Core} core @param {unknown} spec */
+export function makeCurve(core, spec) {
+    return adopt(core, core.ask('curve', core.send(spec)));
+}

@@ -1,0 +1,93 @@
+// Scenes as values.
+
+import { finite, options } from './check.mjs';
+import { KnotworkError } from './errors.mjs';
+import { Held } from './held.mjs';
+
+export class Scene extends Held {
+    /** The canonical document: defaults filled in, keys in a fixed order. */
+    get document() {
+        const { core, handle } = Held.of(this);
+        return core.json('sceneDocument', handle);
+    }
+
+    /** The fields of each object. */
+    get schema() {
+        const { core, handle } = Held.of(this);
+        return core.json('sceneSchema', handle);
+    }
+
+    /** @param {{ phase?: number, time?: number, tolerance?: number }} [given] */
+    drawing(given) {
+        const { core, handle } = Held.of(this);
+        const fields = options(given, ['phase', 'time', 'tolerance']);
+        const { phase, time } = moment(fields);
+        const { tolerance } = fields;
+        const distance = tolerance === undefined ? NaN : finite(tolerance, 'tolerance');
+        const { bounds, shapes } = core.json('sceneDrawing', handle, phase, time, distance);
+        for (const shape of shapes) takePositions(core, shape);
+        core.call('dropDrawing');
+        return { bounds, shapes };
+    }
+
+    /** Applies a command and says what it changed. @param {object} command */
+    execute(command) {
+        const { core, handle } = Held.of(this);
+        return core.json('sceneExecute', handle, core.send(command));
+    }
+
+    /** Whether there was a step to take back. */
+    undo() {
+        const { core, handle } = Held.of(this);
+        return core.count('sceneUndo', handle) === 1;
+    }
+
+    redo() {
+        const { core, handle } = Held.of(this);
+        return core.count('sceneRedo', handle) === 1;
+    }
+
+    get canUndo() {
+        const { core, handle } = Held.of(this);
+        return core.call('sceneCanUndo', handle);
+    }
+
+    get canRedo() {
+        const { core, handle } = Held.of(this);
+        return core.call('sceneCanRedo', handle);
+    }
+
+    /** Grows by one with every change. */
+    get revision() {
+        const { core, handle } = Held.of(this);
+        return core.count('sceneRevision', handle);
+    }
+
+    /** Its name in the module, for a view that shows it. */
+    get handle() {
+        return Held.of(this).handle;
+    }
+}
+
+/** @param {Record<string, unknown>} fields */
+function moment({ phase, time }) {
+    if (phase !== undefined && time !== undefined) {
+        throw new KnotworkError('UNKNOWN_FIELD', 'time', 'Give a phase or a time, not both.');
+    }
+    if (time !== undefined) return { phase: NaN, time: finite(time, 'time') };
+    const turn = phase === undefined ? 0 : finite(phase, 'phase');
+    if (turn >= 0 && turn <= 1) return { phase: turn, time: NaN };
+    throw new KnotworkError('OUT_OF_RANGE', 'phase', `phase is ${turn}; it must lie in [0, 1].`);
+}
+
+/** @param {import('./core.mjs').Core} core @param {any} shape */
+function takePositions(core, shape) {
+    shape.positions = core.copy(shape.at, shape.count);
+    delete shape.at;
+    delete shape.count;
+}
+
+/** @param {import('./core.mjs').Core} core @param {unknown} document */
+export function openScene(core, document) {
+    return new Scene(core, core.ask('openScene', core.send(document)));
+}
