@@ -7,17 +7,12 @@ import { distribution, project } from './bundle/paths.mjs';
 import { writeSchema } from './bundle/schema.mjs';
 import { writeStandalone } from './bundle/standalone.mjs';
 
-/** Files of web/ that are delivered as they are. */
-const asTheyAre = /\.(html|css|d\.ts|svg|png|json)$/;
+/** Pages, styles and types are delivered as they are; scripts and words go through the bundler. */
+const delivered = /\.(html|css|d\.ts|svg|png)$/;
 
 async function copyStaticFiles() {
-    for (const entry of await readdir(project('web'), { withFileTypes: true })) {
-        if (!entry.isDirectory() && !asTheyAre.test(entry.name)) continue;
-        await cp(project('web', entry.name), distribution(entry.name), {
-            recursive: true,
-            filter: (source) => !source.endsWith('.mjs'),
-        });
-    }
+    const names = (await readdir(project('web'))).filter((name) => delivered.test(name));
+    await Promise.all(names.map((name) => cp(project('web', name), distribution(name))));
 }
 
 async function copyWasm() {

@@ -43,10 +43,11 @@ export async function bundleModules() {
 }
 
 /**
- * A script of web/ with everything it imports in it, as text.
- * @param {string} entry
+ * Scripts with everything that they import, as the text of one script.
+ * @param {string[]} files
  */
-export async function bundleToText(entry) {
-    const result = await build({ ...common, write: false, entryPoints: [project('web', entry)] });
+export async function bundleToText(files) {
+    const contents = files.map((file) => `import ${JSON.stringify(file)};`).join('\n');
+    const result = await build({ ...common, write: false, stdin: { contents, resolveDir: project() } });
     return result.outputFiles[0].text;
 }
