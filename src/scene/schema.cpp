@@ -1,0 +1,167 @@
+// References: JSON Schema, draft 2020-12 (json-schema.org).
+#include "scene/schema.hpp"
+
+#include "scene/fields.hpp"
+
+#include <cmath>
+
+namespace knotwork::scene {
+
+namespace {
+
+Json objectSchema(std::span<const Field> fields);
+
+Json reference(std::string_view name) { return {{"$ref", "#/$defs/" + std::string(name)}}; }
+
+Json listOf(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
+
+Json tuple(std::size_t least, std::size_t most) {
+    return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", least},
+            {"maxItems", most}};
+}
+
+Json names(std::span<const Choice> choices) {
+    Json values = Json::array();
+    for (const Choice& choice : choices) values.push_back(choice.value);
+    return {{"enum", std::move(values)}};
+}
+
+Json numberSchema(const Field& field) {
+    Json schema{{"type", field.kind == FieldKind::integer ? "integer" : "number"}};
+    if (std::isfinite(field.min)) schema[field.minOpen ? "exclusiveMinimum" : "minimum"] = field.min;
+    if (std::isfinite(field.max)) schema[field.maxOpen ? "exclusiveMaximum" : "maximum"] = field.max;
+    return schema;
+}
+
+Json kindSchema(const Field& field) {
+    switch (field.kind) {
+        case FieldKind::number:
+        case FieldKind::integer: return numberSchema(field);
+        case FieldKind::flag: return {{"type", "boolean"}};
+        case FieldKind::choice: return names(field.choices);
+        case FieldKind::text: return {{"type", "string"}};
+        case FieldKind::colour: return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+        case FieldKind::point: return tuple(2, 3);
+        case FieldKind::points: return {{"anyOf", {listOf(tuple(2, 3)), listOf({{"type", "number"}})}}};
+        case FieldKind::numbers: return listOf({{"type", "number"}});
+        case FieldKind::poses: return listOf(reference("pose"));
+        case FieldKind::bFunction: return reference("bFunction");
+        case FieldKind::bFunctions: {
+            Json pair = listOf(reference("bFunction"));
+            pair["minItems"] = 2;
+            pair["maxItems"] = 2;
+            return pair;
+        }
+        case FieldKind::curve: return reference("curve");
+        case FieldKind::locals:
+            return {{"anyOf", {objectSchema(localsFields()), listOf(reference("curve"))}}};
+        case FieldKind::curveName: return names(parametricCurveChoices());
+        case FieldKind::parameters: return {{"type", "object"}};
+        case FieldKind::scale: return {{"anyOf", {Json{{"type", "number"}}, tuple(2, 3)}}};
+        case FieldKind::interval: return tuple(2, 2);
+        case FieldKind::panes:
+            return listOf({{"enum", Json::array({"curve", "basis", "knots", "bFunction"})}});
+        case FieldKind::group: return objectSchema(field.fields);
+    }
+    return Json::object();
+}
+
+Json fieldSchema(const Field& field) {
+    Json schema{{"title", field.label}};
+    if (!field.help.empty()) schema["description"] = field.help;
+    const Json kind = kindSchema(field);
+    for (const auto& item : kind.items()) schema[item.key()] = item.value();
+    if (field.defaultNumber) schema["default"] = *field.defaultNumber;
+    if (!field.defaultJson.empty()) {
+        if (auto value = parseJson(field.defaultJson)) schema["default"] = std::move(*value);
+    }
+    return schema;
+}
+
+void addFields(Json& schema, std::span<const Field> fields) {
+    for (const Field& field : fields) {
+        schema["properties"][std::string(field.name)] = fieldSchema(field);
+        if (field.required) schema["required"].push_back(field.name);
+    }
+}
+
+Json emptyObject() {
+    return {{"type", "object"}, {"properties", Json::object()}, {"required", Json::array()},
+            {"additionalProperties", false}};
+}
+
+Json objectSchema(std::span<const Field> fields) {
+    Json schema = emptyObject();
+    addFields(schema, fields);
+    return schema;
+}
+
+/// An object that says by `key` which of several it is.
+Json variantSchema(std::string_view key, std::string_view value, std::string_view label,
+                   std::span<const Field> fields) {
+    Json schema = emptyObject();
+    schema["title"] = label;
+    schema["properties"][std::string(key)] = Json{{"const", value}};
+    schema["required"].push_back(key);
+    addFields(schema, fields);
+    return schema;
+}
+
+Json bFunctionSchema() {
+    Json variants = Json::array();
+    for (const Choice& family : bFunctionChoices()) {
+        const auto fields = bFunctionFields(family.value);
+        variants.push_back(variantSchema("family", family.value, family.label, *fields));
+    }
+    return {{"oneOf", std::move(variants)}};
+}
+
+/// Which parameters there are depends on the name of the parametric curve.
+Json parametersByName() {
+    Json rules = Json::array();
+    for (const Choice& curve : parametricCurveChoices()) {
+        const auto fields = curveParameterFields(curve.value);
+        rules.push_back({{"if", {{"properties", {{"name", {{"const", curve.value}}}}}}},
+                         {"then", {{"properties", {{"parameters", objectSchema(*fields)}}}}}});
+    }
+    return rules;
+}
+
+/// Curves of every type; those of a scene have fields besides.
+Json curveSchema(std::span<const Field> extra) {
+    Json variants = Json::array();
+    for (const CurveType& type : curveTypes()) {
+        Json schema = variantSchema("type", type.type, type.label, type.fields);
+        addFields(schema, extra);
+        if (type.type == "parametric-curve") schema["allOf"] = parametersByName();
+        variants.push_back(std::move(schema));
+    }
+    return {{"oneOf", std::move(variants)}};
+}
+
+Json effectSchema() {
+    Json variants = Json::array();
+    for (const EffectType& type : effectTypes()) {
+        variants.push_back(variantSchema("kind", type.kind, type.label, type.fields));
+    }
+    return {{"oneOf", std::move(variants)}};
+}
+
+}  // namespace
+
+Json documentSchema() {
+    Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                {"title", "Knotwork document"}};
+    const Json document = objectSchema(headerFields());
+    for (const auto& item : document.items()) schema[item.key()] = item.value();
+    schema["properties"]["objects"] = listOf(reference("object"));
+    schema["properties"]["effects"] = listOf(reference("effect"));
+    schema["$defs"] = Json{{"object", curveSchema(objectFields())},
+                           {"curve", curveSchema({})},
+                           {"bFunction", bFunctionSchema()},
+                           {"pose", objectSchema(poseFields())},
+                           {"effect", effectSchema()}};
+    return schema;
+}
+
+}  // namespace knotwork::scene
