@@ -30,8 +30,9 @@ public:
                const Pose& pose);
 
     void evaluate(double t, Side side, std::span<Vec3> rows) const noexcept;
-    /// One row of points for many sorted parameters.
     [[nodiscard]] Vec3 point(double t) const noexcept;
+    /// Turns rows of the source into rows of this local: the pose and the chain rule of `rate`.
+    void place(std::span<Vec3> rows) const noexcept;
 
     [[nodiscard]] const Curve& source() const noexcept { return *source_; }
     [[nodiscard]] const std::shared_ptr<const Curve>& sharedSource() const noexcept { return source_; }
@@ -58,9 +59,10 @@ enum class BlendForm { open, closed };
 class BlendingCurve {
 public:
     /// Cuts `count` sub-curves from a model: local j is the model itself, centred at knots[j].
-    /// `knots` empty: uniform over the model's domain. Refuses: count outside [2, 10 000] for open
-    /// and [1, 10 000] for closed (OUT_OF_RANGE `locals.count`), knots of the wrong number
-    /// (KNOTS_COUNT), not finite, decreasing, or three equal (KNOTS_MULTIPLICITY) as `knots[i]`.
+    /// `knots` empty: uniform over the model's domain. `poses` empty, or one for each local.
+    /// Refuses fewer than 2 locals (OUT_OF_RANGE `locals.count`) or more than 10 000 (TOO_LARGE),
+    /// knots of the wrong number (KNOTS_COUNT), not finite, decreasing, or three equal
+    /// (KNOTS_MULTIPLICITY) as `knots[i]`, and poses as checkPose() does under `poses[j]`.
     static Result<BlendingCurve> fromModel(Curve model, std::size_t count, BlendForm form,
                                            BFunction blend, std::vector<double> knots,
                                            std::span<const Pose> poses);

@@ -12,9 +12,9 @@ struct Polyline {
     std::vector<double> parameters;  ///< one a point, ascending
 };
 
-/// A polyline whose distance from the curve is at most `tolerance` (> 0, world units), measured at
-/// three points inside every chord, its vertices on the curve, every knot a vertex (twice where the
-/// curve jumps). At most 2¹⁷ points; a curve that would need more is cut evenly into so many.
+/// A polyline whose distance from the curve is at most `tolerance` (> 0, world units), looked at in
+/// three points of every chord, its vertices on the curve, every knot a vertex (twice where the
+/// curve jumps by more than the tolerance). Refining stops at 2¹⁷ points.
 [[nodiscard]] Polyline polyline(const Curve& curve, double tolerance);
 /// The same over a part of the parameter, which may lie outside the domain (see evaluate()).
 [[nodiscard]] Polyline polyline(const Curve& curve, const Interval& part, double tolerance);

@@ -8,9 +8,11 @@
 #include "scene/json.hpp"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace knotwork::scene {
@@ -30,10 +32,12 @@ enum class FieldKind {
     bFunctions,  ///< list of two (mixed)
     curve,       ///< nested curve specification
     locals,      ///< { count, kind } or a list of curve specifications
+    curveName,   ///< name of a parametric curve
     parameters,  ///< named parameters of a parametric curve
+    scale,       ///< one factor, or [sx, sy] or [sx, sy, sz]
     interval,    ///< [start, end]
+    panes,       ///< list of names of panes
     group,       ///< nested fields of a fixed table
-    groups,      ///< list of nested fields
 };
 
 [[nodiscard]] std::string_view fieldKindName(FieldKind kind) noexcept;
@@ -44,23 +48,58 @@ struct Choice {
 };
 
 struct Field {
-    std::string_view name;
-    std::string_view label;
+    std::string_view name{};
+    std::string_view label{};
     FieldKind kind = FieldKind::number;
-    std::string_view help;
+    std::string_view help{};
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
     bool minOpen = false;          ///< whether `min` itself is excluded
-    std::string_view defaultJson;  ///< empty: see `required`
+    bool maxOpen = false;          ///< whether `max` itself is excluded
+    bool maxIsSize = false;        ///< beyond `max` it is TOO_LARGE rather than OUT_OF_RANGE
+    std::string_view defaultJson{};  ///< empty: none, and the field is left out or computed
     bool required = false;
-    std::span<const Choice> choices;
-    std::span<const Field> fields;  ///< of a group
+    std::optional<double> defaultNumber{};  ///< in place of defaultJson, from the geometry's tables
+    std::optional<std::pair<double, double>> slider{};  ///< the part of the range that a slider offers
+    std::span<const Choice> choices{};
+    std::span<const Field> fields{};  ///< of a group
 };
 
-/// The fields of an object, curve or effect of this type, or an empty span for an unknown type.
-[[nodiscard]] std::span<const Field> fieldsOfType(std::string_view type) noexcept;
-/// Names of the curve types that a `curve` field accepts.
-[[nodiscard]] std::vector<std::string> curveTypes();
+struct CurveType {
+    std::string_view type;
+    std::string_view label;
+    std::span<const Field> fields;  ///< without `type`
+};
+
+/// Every type that a `curve` field, kw.curve() and a scene's objects accept.
+[[nodiscard]] std::span<const CurveType> curveTypes() noexcept;
+[[nodiscard]] const CurveType* findCurveType(std::string_view type) noexcept;
+
+/// `id`, `style` and `show`: what an object of a scene has besides its curve.
+[[nodiscard]] std::span<const Field> objectFields() noexcept;
+/// `knotwork`, `title`, `description` and `view`.
+[[nodiscard]] std::span<const Field> headerFields() noexcept;
+
+struct EffectType {
+    std::string_view kind;
+    std::string_view label;
+    std::span<const Field> fields;  ///< without `kind`
+};
+[[nodiscard]] std::span<const EffectType> effectTypes() noexcept;
+[[nodiscard]] const EffectType* findEffectType(std::string_view kind) noexcept;
+
+/// The fields of a pose of one local curve.
+[[nodiscard]] std::span<const Field> poseFields() noexcept;
+/// `count` and `kind` of locals that are cut from a model.
+[[nodiscard]] std::span<const Field> localsFields() noexcept;
+/// The fields of a B-function of this family without `family`, or nothing for an unknown one.
+[[nodiscard]] std::optional<std::vector<Field>> bFunctionFields(std::string_view family);
+/// The parameters of a parametric curve, or nothing for an unknown name.
+[[nodiscard]] std::optional<std::vector<Field>> curveParameterFields(std::string_view name);
+[[nodiscard]] std::vector<Choice> bFunctionChoices();
+[[nodiscard]] std::vector<Choice> parametricCurveChoices();
+
+// --- panels ---------------------------------------------------------------------------------
 
 /// One editable field of one object as a panel shows it: its value and its address.
 struct PanelField {
@@ -71,6 +110,10 @@ struct PanelField {
     double min = 0;
     double max = 0;
     bool minOpen = false;
+    bool maxOpen = false;
+    double low = 0;   ///< the part of the range that a slider offers, finite when `slider`
+    double high = 0;
+    bool slider = false;
     std::vector<std::pair<std::string, std::string>> choices;  ///< value, label
     std::string group;  ///< heading under which the field stands, may be empty
     Json value;
@@ -80,7 +123,8 @@ struct PanelField {
 /// family, of its model …), in the order in which a panel shows them.
 [[nodiscard]] std::vector<PanelField> panelFields(const Json& object);
 
-/// `panelFields` as JSON: [{ path, name, label, kind, min, max, minOpen, choices, group, help, value }].
+/// `panelFields` as JSON: [{ path, name, label, kind, group, help, value, min?, max?, minOpen?,
+/// maxOpen?, low?, high?, choices? }].
 [[nodiscard]] Json panelFieldsJson(const Json& object);
 
 }  // namespace knotwork::scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/curve.hpp"
+#include "scene/fields.hpp"
 #include "scene/json.hpp"
 
 namespace knotwork::scene {
@@ -15,14 +16,21 @@ struct Made {
 };
 
 [[nodiscard]] Result<Made<BFunction>> makeBFunction(const Json& spec);
+
+/// A curve specification. What an object of a scene has besides (`id`, `style`, `show`) may stand
+/// in it, is checked, and does not come back.
 [[nodiscard]] Result<Made<Curve>> makeCurve(const Json& spec);
+
+/// An object of a scene: a curve specification with `id`, `style` and `show`, the last two filled
+/// in; an id that was left out stays out.
+[[nodiscard]] Result<Made<Curve>> makeObject(const Json& spec);
 
 /// The specification of a B-spline curve that has been computed.
 [[nodiscard]] Json specOf(const BsplineCurve& curve);
 
-/// kw.bFunctions: [{ family, label, parameters: [{ name, label, min, max, default, … }] }].
+/// kw.bFunctions: [{ family, label, formula, parameters: [{ name, label, min, max, default, … }] }].
 [[nodiscard]] Json describeBFunctions();
-/// kw.parametricCurves: [{ name, label, parameters: […] }].
+/// kw.parametricCurves: [{ name, label, dimension, parameters: […] }].
 [[nodiscard]] Json describeParametricCurves();
 
 }  // namespace knotwork::scene

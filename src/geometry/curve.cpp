@@ -1,0 +1,157 @@
+#include "geometry/curve.hpp"
+
+#include "geometry/piecewise_polynomial.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace knotwork {
+
+namespace {
+
+/// Parameters are handled in blocks of this size, so that what lies between stays in cache.
+constexpr std::size_t blockSize = 256;
+
+}  // namespace
+
+Curve::Curve(BsplineCurve curve) : kind_(std::make_shared<const Kind>(std::move(curve))) {}
+Curve::Curve(ParametricCurve curve) : kind_(std::make_shared<const Kind>(std::move(curve))) {}
+Curve::Curve(BlendingCurve curve) : kind_(std::make_shared<const Kind>(std::move(curve))) {}
+
+Interval domain(const Curve& curve) noexcept {
+    return std::visit([](const auto& kind) { return kind.domain(); }, curve.kind());
+}
+
+bool isClosed(const Curve& curve) noexcept {
+    return std::visit([](const auto& kind) { return kind.closed(); }, curve.kind());
+}
+
+int dimension(const Curve& curve) noexcept {
+    return std::visit([](const auto& kind) { return kind.dimension(); }, curve.kind());
+}
+
+Result<double> parameterInDomain(const Curve& curve, double t) {
+    const Interval whole = domain(curve);
+    if (!std::isfinite(t)) {
+        return refuse(Code::notFinite, "t",
+                      "The parameter is " + formatNumber(t) + "; give a finite number.");
+    }
+    if (whole.contains(t)) return t;
+    if (isClosed(curve)) {
+        const double turns = std::floor((t - whole.start) / whole.length());
+        return std::clamp(t - turns * whole.length(), whole.start, whole.end);
+    }
+    return refuse(Code::outOfRange, "t",
+                  "The parameter " + formatNumber(t) + " lies outside the domain [" +
+                      formatNumber(whole.start) + ", " + formatNumber(whole.end) + "].");
+}
+
+namespace {
+
+struct Evaluate {
+    double t;
+    Side side;
+    std::span<Vec3> rows;
+
+    void operator()(const BsplineCurve& curve) const noexcept {
+        curve.derivatives(t, side, rows);
+    }
+    void operator()(const ParametricCurve& curve) const noexcept { curve.derivatives(t, rows); }
+    void operator()(const BlendingCurve& curve) const noexcept { curve.evaluate(t, side, rows); }
+};
+
+}  // namespace
+
+void evaluate(const Curve& curve, double t, Side side, std::span<Vec3> rows) noexcept {
+    std::visit(Evaluate{t, side, rows}, curve.kind());
+}
+
+Vec3 pointAt(const Curve& curve, double t) noexcept {
+    if (const auto* parametric = curve.as<ParametricCurve>()) return parametric->point(t);
+    Vec3 point;
+    evaluate(curve, t, t == domain(curve).end ? Side::left : Side::right, {&point, 1});
+    return point;
+}
+
+/// A B-spline's pieces are made once; the others are sampled as they are.
+struct CurveSampler::Prepared {
+    explicit Prepared(const Curve& of) : curve(of) {
+        if (const auto* spline = of.as<BsplineCurve>()) pieces.emplace(*spline);
+    }
+
+    void block(std::span<const double> ts, std::span<Vec3> out) const noexcept {
+        if (const auto* parametric = curve.as<ParametricCurve>()) {
+            parametric->samplePoints(ts, out);
+        } else if (const auto* blending = curve.as<BlendingCurve>()) {
+            blending->points(ts, out);
+        }
+    }
+
+    void points(std::span<const double> ts, double* xyz) const noexcept {
+        std::array<Vec3, blockSize> block{};
+        for (std::size_t done = 0; done < ts.size(); done += blockSize) {
+            const std::size_t count = std::min(blockSize, ts.size() - done);
+            this->block(ts.subspan(done, count), {block.data(), count});
+            for (std::size_t i = 0; i < count; ++i) {
+                *xyz++ = block[i].x;
+                *xyz++ = block[i].y;
+                *xyz++ = block[i].z;
+            }
+        }
+    }
+
+    void rows(std::span<const double> ts, std::size_t orders, double* xyz) const noexcept {
+        std::array<Vec3, 26> rows{};
+        const double end = domain(curve).end;
+        for (std::size_t i = 0; i < ts.size(); ++i) {
+            const Side side = ts[i] == end ? Side::left : Side::right;
+            evaluate(curve, ts[i], side, {rows.data(), orders});
+            for (std::size_t k = 0; k < orders; ++k) {
+                double* at = xyz + 3 * (k * ts.size() + i);
+                at[0] = rows[k].x;
+                at[1] = rows[k].y;
+                at[2] = rows[k].z;
+            }
+        }
+    }
+
+    Curve curve;
+    std::optional<BsplineSampler> pieces;
+};
+
+CurveSampler::CurveSampler(const Curve& curve)
+    : prepared_(std::make_unique<const Prepared>(curve)) {}
+CurveSampler::~CurveSampler() = default;
+CurveSampler::CurveSampler(CurveSampler&&) noexcept = default;
+CurveSampler& CurveSampler::operator=(CurveSampler&&) noexcept = default;
+
+void CurveSampler::uniform(std::size_t first, std::size_t count, std::size_t total,
+                           std::span<double> xyz) const noexcept {
+    if (prepared_->pieces) {
+        prepared_->pieces->uniform(first, count, total, xyz);
+        return;
+    }
+    const Interval whole = domain(prepared_->curve);
+    std::array<double, blockSize> ts{};
+    for (std::size_t done = 0; done < count; done += blockSize) {
+        const std::size_t part = std::min(blockSize, count - done);
+        for (std::size_t i = 0; i < part; ++i) {
+            ts[i] = uniformParameter(whole, first + done + i, total);
+        }
+        prepared_->points({ts.data(), part}, xyz.data() + 3 * done);
+    }
+}
+
+void CurveSampler::at(std::span<const double> ts, int derivatives,
+                      std::span<double> xyz) const noexcept {
+    if (prepared_->pieces) {
+        prepared_->pieces->at(ts, derivatives, xyz);
+    } else if (derivatives == 0) {
+        prepared_->points(ts, xyz.data());
+    } else {
+        prepared_->rows(ts, static_cast<std::size_t>(derivatives) + 1, xyz.data());
+    }
+}
+
+}  // namespace knotwork

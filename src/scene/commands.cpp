@@ -1,0 +1,426 @@
+#include "scene/commands.hpp"
+
+#include "geometry/refinement.hpp"
+#include "scene/adaptation.hpp"
+#include "scene/document.hpp"
+#include "scene/json_values.hpp"
+#include "scene/path.hpp"
+#include "scene/specs.hpp"
+#include "scene/validation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace knotwork::scene {
+
+namespace {
+
+constexpr std::array<std::string_view, 7> verbs{"set", "move", "insert", "remove",
+                                                "add", "pose", "insertKnot"};
+
+Error missing(const Path& path) {
+    return refuse(Code::unknownField, formatPath(path),
+                  "There is nothing at " + formatPath(path) + " in this scene.");
+}
+
+// --- what a path leads to ---------------------------------------------------------------------
+
+bool startsWith(const Path& path, std::string_view list) {
+    return path.size() >= 2 && path[0].key == list && path[1].isIndex();
+}
+
+/// The state with object `i` made anew from `spec`.
+Result<State> withObject(const State& state, std::size_t i, const Json& spec) {
+    auto object = readObject(spec);
+    if (!object) return object.error().under(indexed("objects", i));
+    State next = state;
+    for (std::size_t other = 0; other < state.objects.size(); ++other) {
+        if (other != i && state.objects[other]->id == (*object)->id) {
+            return refuse(Code::outOfRange, indexed("objects", i) + ".id",
+                          "There is an object \"" + (*object)->id + "\" already.");
+        }
+    }
+    const std::string former = state.objects[i]->id;
+    next.objects[i] = std::move(*object);
+    // Effects follow their object to a new name, and must still fit what it has become.
+    for (std::size_t k = 0; k < next.effects.size(); ++k) {
+        if (next.effects[k]->target != former) continue;
+        Json effect = next.effects[k]->spec;
+        effect["target"] = next.objects[i]->id;
+        auto read = readEffect(effect, next.objects);
+        if (!read) return read.error().under(indexed("effects", k));
+        next.effects[k] = std::move(*read);
+    }
+    return next;
+}
+
+Result<State> withEffect(const State& state, std::size_t i, const Json& spec) {
+    auto effect = readEffect(spec, state.objects);
+    if (!effect) return effect.error().under(indexed("effects", i));
+    State next = state;
+    next.effects[i] = std::move(*effect);
+    return next;
+}
+
+Result<State> withHeader(const State& state, const Json& header) {
+    auto read = readHeader(header);
+    if (!read) return read.error();
+    State next = state;
+    next.header = std::move(*read);
+    return next;
+}
+
+/// The state after `change` has been applied to the JSON of the part that `path` leads into.
+/// `change` gets that part and the rest of the path.
+template <class ChangePart>
+Result<State> changeAt(const State& state, const Path& path, ChangePart change) {
+    const std::span<const PathStep> all(path);
+    if (startsWith(path, "objects") && path.size() > 2) {
+        const std::size_t i = path[1].index;
+        if (i >= state.objects.size()) return missing(path);
+        const Json& before = state.objects[i]->spec;
+        auto changed = change(before, all.subspan(2));
+        if (!changed) return changed.error().under(indexed("objects", i));
+        return withObject(state, i, adaptObject(before, std::move(*changed)));
+    }
+    if (startsWith(path, "effects") && path.size() > 2) {
+        const std::size_t i = path[1].index;
+        if (i >= state.effects.size()) return missing(path);
+        auto changed = change(state.effects[i]->spec, all.subspan(2));
+        if (!changed) return changed.error().under(indexed("effects", i));
+        return withEffect(state, i, *changed);
+    }
+    if (path[0].key == "objects" || path[0].key == "effects") return missing(path);
+    auto changed = change(*state.header, all);
+    if (!changed) return changed.error();
+    return withHeader(state, *changed);
+}
+
+Error missingIn(std::span<const PathStep> rest) {
+    const std::string path = formatPath(Path(rest.begin(), rest.end()));
+    return refuse(Code::unknownField, path, "There is no " + path + " here.");
+}
+
+// --- set, move, insert, remove ----------------------------------------------------------------
+
+Result<Json> setIn(const Json& part, std::span<const PathStep> rest, const Json& value) {
+    Json changed = part;
+    Json* parent = find(changed, rest.first(rest.size() - 1));
+    const PathStep& last = rest.back();
+    if (parent == nullptr) return missingIn(rest);
+    if (last.isIndex()) {
+        if (!parent->is_array() || last.index >= parent->size()) return missingIn(rest);
+        (*parent)[last.index] = value;
+    } else {
+        if (!parent->is_object()) return missingIn(rest);
+        if (last.key == "family" && value.is_string()) {
+            *parent = adaptFamily(*parent, value.get<std::string>());
+        } else {
+            (*parent)[last.key] = value;  // a key that does not belong is validation's to refuse
+        }
+    }
+    return changed;
+}
+
+/// Equal knots at a clamped end move as one, and so do the two ends of one period.
+Json movedKnots(const Json& spec, const Json& before, std::size_t index, double to) {
+    Json knots = before;
+    const bool clamped = stringOr(spec, "type", "") == "bspline-curve" &&
+                         stringOr(spec, "form", "") == "clamped";
+    const auto degree = static_cast<std::size_t>(numberOr(spec, "degree", 0));
+    const std::size_t last = knots.size() - 1;
+    std::size_t first = index;
+    std::size_t end = index;
+    if (clamped && index <= degree) {
+        first = 0;
+        end = degree;
+    } else if (clamped && index + degree >= last) {
+        first = last - degree;
+        end = last;
+    }
+    for (std::size_t k = first; k <= end; ++k) knots[k] = to;
+    return knots;
+}
+
+Result<Json> movedValue(const Json& value, const Json& command) {
+    const Json* to = member(command, "to");
+    const Json* by = member(command, "by");
+    if ((to == nullptr) == (by == nullptr)) {
+        return refuse(Code::wrongType, "move", "A move goes either \"to\" a place or \"by\" an amount.");
+    }
+    if (to != nullptr) return *to;
+    if (value.is_number() && by->is_number()) return Json(value.get<double>() + by->get<double>());
+    const bool points = value.is_array() && by->is_array() && by->size() >= 2 && by->size() <= 3 &&
+                        std::all_of(by->begin(), by->end(),
+                                    [](const Json& x) { return x.is_number(); });
+    if (!points || value.size() < 2 || !value[0].is_number()) {
+        return refuse(Code::wrongType, "by",
+                      "A point moves by [x, y] or [x, y, z], a number by a number; got " +
+                          describeValue(*by) + ".");
+    }
+    const Vec3 sum = vec3Of(value) + vec3Of(*by);
+    return pointJson(sum, sum.z == 0 && value.size() == 2 ? 2 : 3);
+}
+
+Result<Json> moveIn(const Json& part, std::span<const PathStep> rest, const Json& command) {
+    const Json* value = find(part, rest);
+    if (value == nullptr) return missingIn(rest);
+    const auto moved = movedValue(*value, command);
+    if (!moved) return moved.error();
+    const bool ownKnot = rest.size() == 2 && rest[0].key == "knots" && moved->is_number();
+    if (!ownKnot) return setIn(part, rest, *moved);
+    Json changed = part;
+    changed["knots"] =
+        movedKnots(part, *member(part, "knots"), rest[1].index, moved->get<double>());
+    return changed;
+}
+
+Result<Json> insertIn(const Json& part, std::span<const PathStep> rest, const Json& value) {
+    Json changed = part;
+    Json* list = find(changed, rest.first(rest.size() - 1));
+    const PathStep& last = rest.back();
+    if (list == nullptr || !list->is_array() || !last.isIndex() || last.index > list->size()) {
+        return missingIn(rest);
+    }
+    list->insert(list->begin() + static_cast<std::ptrdiff_t>(last.index), value);
+    return changed;
+}
+
+Result<Json> removeIn(const Json& part, std::span<const PathStep> rest) {
+    Json changed = part;
+    Json* parent = find(changed, rest.first(rest.size() - 1));
+    const PathStep& last = rest.back();
+    if (parent == nullptr || find(part, rest) == nullptr) return missingIn(rest);
+    if (last.isIndex()) {
+        parent->erase(last.index);
+    } else {
+        parent->erase(last.key);
+    }
+    return changed;
+}
+
+// --- knots ------------------------------------------------------------------------------------
+
+/// `spec` with what the object has besides its curve taken over from `object`.
+Json dressed(Json spec, const Object& object) {
+    Json full{{"id", object.id}};
+    full.update(spec);
+    for (const char* key : {"style", "show"}) {
+        if (const Json* value = member(object.spec, key)) full[key] = *value;
+    }
+    return full;
+}
+
+Result<Json> withKnotInserted(const Object& object, double at) {
+    if (const auto* spline = object.curve.as<BsplineCurve>()) {
+        const auto refined = insertKnot(*spline, at, 1);
+        if (!refined) return refined.error().under("insertKnot.at");
+        return dressed(specOf(*refined), object);
+    }
+    const auto* blend = object.curve.as<BlendingCurve>();
+    if (blend == nullptr || blend->model() == nullptr) {
+        return refuse(Code::notSupported, "insertKnot.object",
+                      "Knots are inserted into B-spline curves and into blending curves that are "
+                      "cut from a model; \"" + object.id + "\" is neither.");
+    }
+    std::vector<double> knots = blend->knots();
+    if (!(at > knots.front() && at < knots.back())) {
+        return refuse(Code::outOfRange, "insertKnot.at",
+                      formatNumber(at) + " does not lie inside the domain [" +
+                          formatNumber(knots.front()) + ", " + formatNumber(knots.back()) + "].");
+    }
+    const auto place = std::upper_bound(knots.begin(), knots.end(), at);
+    const auto index = static_cast<double>(place - knots.begin());
+    knots.insert(place, at);
+    Json spec = object.spec;
+    spec["knots"] = listOf(knots);
+    spec["locals"]["count"] = static_cast<double>(blend->locals().size() + 1);
+    for (Json& pose : spec["poses"]) {
+        if (numberOr(pose, "local", 0) >= index) pose["local"] = numberOr(pose, "local", 0) + 1;
+    }
+    return spec;
+}
+
+/// The object that a command names by its id under `key`.
+Result<std::size_t> objectNamed(const State& state, const Json& arguments, std::string_view verb) {
+    const std::string path = std::string(verb) + ".object";
+    const Json* id = member(arguments, "object");
+    if (id == nullptr || !id->is_string()) {
+        return refuse(Code::wrongType, path, "Give the id of an object, a text.");
+    }
+    for (std::size_t i = 0; i < state.objects.size(); ++i) {
+        if (state.objects[i]->id == id->get_ref<const std::string&>()) return i;
+    }
+    return refuse(Code::unknownName, path, "There is no object " + describeValue(*id) + ".");
+}
+
+Result<Executed> executeInsertKnot(const State& state, const Json& arguments) {
+    const auto i = objectNamed(state, arguments, "insertKnot");
+    if (!i) return i.error();
+    const Json* at = member(arguments, "at");
+    if (at == nullptr || !at->is_number()) {
+        return refuse(Code::wrongType, "insertKnot.at", "Give the parameter of the new knot.");
+    }
+    if (!std::isfinite(at->get<double>())) {
+        return refuse(Code::notFinite, "insertKnot.at", "The knot must be a finite number.");
+    }
+    auto spec = withKnotInserted(*state.objects[*i], at->get<double>());
+    if (!spec) return spec.error();
+    auto next = withObject(state, *i, *spec);
+    if (!next) return next.error();
+    return Executed{std::move(*next), {"insertKnot", indexed("objects", *i) + ".knots"}};
+}
+
+// --- objects and poses ------------------------------------------------------------------------
+
+Result<Executed> executeAdd(const State& state, const Json& given) {
+    if (state.objects.size() >= maximumObjects) {
+        return refuse(Code::tooLarge, "add", "A scene has at most 1000 objects.");
+    }
+    if (!given.is_object()) {
+        return refuse(Code::wrongType, "add",
+                      "Expected an object, got " + describeValue(given) + ".");
+    }
+    Json spec = given;
+    if (member(spec, "id") == nullptr) spec["id"] = freshId(state.objects);
+    auto object = readObject(spec);
+    if (!object) return object.error().under("add");
+    if (state.find((*object)->id) != nullptr) {
+        return refuse(Code::outOfRange, "add.id",
+                      "There is an object \"" + (*object)->id + "\" already.");
+    }
+    State next = state;
+    next.objects.push_back(std::move(*object));
+    return Executed{std::move(next), {"add", indexed("objects", state.objects.size())}};
+}
+
+/// The poses with those of `arguments` taken over for its local curve.
+Json mergedPoses(const Json& poses, const Json& arguments) {
+    Json merged = poses;
+    Json fields = arguments;
+    fields.erase("object");
+    const double local = numberOr(arguments, "local", -1);
+    for (Json& pose : merged) {
+        if (numberOr(pose, "local", -1) != local) continue;
+        pose.update(fields);
+        return merged;
+    }
+    merged.push_back(std::move(fields));
+    return merged;
+}
+
+Result<Executed> executePose(const State& state, const Json& arguments) {
+    const auto i = objectNamed(state, arguments, "pose");
+    if (!i) return i.error();
+    Json fields = arguments;
+    fields.erase("object");
+    if (const auto pose = readGroup(fields, poseFields()); !pose) return pose.error().under("pose");
+    const Object& object = *state.objects[*i];
+    const Json* poses = member(object.spec, "poses");
+    if (poses == nullptr) {
+        return refuse(Code::notSupported, "pose.object",
+                      "\"" + object.id + "\" has no local curves that could be posed.");
+    }
+    Json spec = object.spec;
+    spec["poses"] = mergedPoses(*poses, arguments);
+    auto next = withObject(state, *i, spec);
+    if (!next) return next.error();
+    return Executed{std::move(*next), {"pose", indexed("objects", *i) + ".poses"}};
+}
+
+// --- whole entries of the two lists -------------------------------------------------------------
+
+Result<State> withoutEntry(const State& state, const Path& path) {
+    State next = state;
+    const std::size_t i = path[1].index;
+    if (path[0].key == "effects") {
+        if (i >= next.effects.size()) return missing(path);
+        next.effects.erase(next.effects.begin() + static_cast<std::ptrdiff_t>(i));
+        return next;
+    }
+    if (i >= next.objects.size()) return missing(path);
+    const std::string id = next.objects[i]->id;
+    next.objects.erase(next.objects.begin() + static_cast<std::ptrdiff_t>(i));
+    // An effect without its object would refer to nothing.
+    std::erase_if(next.effects, [&](const auto& effect) { return effect->target == id; });
+    return next;
+}
+
+Result<State> withEntry(const State& state, const Path& path, const Json& value, bool replace) {
+    Json document = writeDocument(state);
+    Json& list = document[path[0].key];
+    const std::size_t i = path[1].index;
+    if (replace ? i >= list.size() : i > list.size()) return missing(path);
+    if (replace) {
+        list[i] = value;
+    } else {
+        list.insert(list.begin() + static_cast<std::ptrdiff_t>(i), value);
+    }
+    return readDocument(document);
+}
+
+Result<State> executeAt(const State& state, std::string_view verb, const Path& path,
+                        const Json& command) {
+    const bool entry = path.size() == 2 && (startsWith(path, "objects") || startsWith(path, "effects"));
+    const bool needsValue = verb == "set" || verb == "insert";
+    const Json* value = member(command, "value");
+    if (needsValue && value == nullptr) {
+        return refuse(Code::wrongType, "value", "The command needs a \"value\".");
+    }
+    if (entry && verb == "remove") return withoutEntry(state, path);
+    if (entry && needsValue) return withEntry(state, path, *value, verb == "set");
+    return changeAt(state, path, [&](const Json& part, std::span<const PathStep> rest) {
+        if (verb == "set") return setIn(part, rest, *value);
+        if (verb == "move") return moveIn(part, rest, command);
+        return verb == "insert" ? insertIn(part, rest, *value) : removeIn(part, rest);
+    });
+}
+
+Result<std::string_view> verbOf(const Json& command) {
+    std::string_view verb;
+    int count = 0;
+    for (const auto& item : command.items()) {
+        const auto known = std::find(verbs.begin(), verbs.end(), item.key());
+        const bool argument = item.key() == "value" || item.key() == "to" || item.key() == "by" ||
+                              item.key() == "gesture";
+        if (known == verbs.end() && !argument) {
+            return refuse(Code::unknownField, item.key(),
+                          "A command has no field \"" + item.key() + "\".");
+        }
+        if (known == verbs.end()) continue;
+        verb = *known;
+        ++count;
+    }
+    if (count == 1) return verb;
+    return refuse(Code::wrongType, "",
+                  "A command has one of set, move, insert, remove, add, pose, insertKnot.");
+}
+
+}  // namespace
+
+Result<Executed> executeCommand(const State& state, const Json& command) {
+    if (!command.is_object()) {
+        return refuse(Code::wrongType, "",
+                      "Expected a command such as { \"set\": path, \"value\": … }, got " +
+                          describeValue(command) + ".");
+    }
+    const auto verb = verbOf(command);
+    if (!verb) return verb.error();
+    const Json& argument = *member(command, *verb);
+    if (*verb == "add") return executeAdd(state, argument);
+    if (*verb == "pose") return executePose(state, argument);
+    if (*verb == "insertKnot") return executeInsertKnot(state, argument);
+    if (!argument.is_string()) {
+        return refuse(Code::wrongType, std::string(*verb),
+                      "Expected a path such as \"objects[0].degree\", got " +
+                          describeValue(argument) + ".");
+    }
+    const auto path = parsePath(argument.get_ref<const std::string&>());
+    if (!path) return path.error().under(*verb);
+    auto next = executeAt(state, *verb, *path, command);
+    if (!next) return next.error();
+    return Executed{std::move(*next), {std::string(*verb), formatPath(*path)}};
+}
+
+}  // namespace knotwork::scene

@@ -1,0 +1,232 @@
+#include "scene/document.hpp"
+
+#include "scene/json_values.hpp"
+#include "scene/specs.hpp"
+#include "scene/validation.hpp"
+
+#include <algorithm>
+
+namespace knotwork::scene {
+
+namespace {
+
+using Objects = std::vector<std::shared_ptr<const Object>>;
+
+Style styleOf(const Json& spec) {
+    const Json& style = *member(spec, "style");
+    return {*parseColour(stringOr(style, "colour", "#000000")), numberOr(style, "width", 2.5)};
+}
+
+Show showOf(const Json& spec) {
+    const Json& show = *member(spec, "show");
+    return {.curve = flagOr(show, "curve", true),
+            .polygon = flagOr(show, "polygon", true),
+            .points = flagOr(show, "points", true),
+            .knots = flagOr(show, "knots", true),
+            .locals = flagOr(show, "locals", false),
+            .handles = flagOr(show, "handles", true),
+            .basis = flagOr(show, "basis", true),
+            .bFunction = flagOr(show, "bFunction", true)};
+}
+
+bool hasId(std::span<const std::shared_ptr<const Object>> objects, std::string_view id) {
+    return std::any_of(objects.begin(), objects.end(),
+                       [&](const auto& object) { return object->id == id; });
+}
+
+/// The list under `key`, an empty one where it is left out.
+Result<Json> listUnder(const Json& document, std::string_view key, std::size_t most) {
+    const Json* list = member(document, key);
+    if (list == nullptr) return Json(Json::array());
+    if (!list->is_array()) {
+        return refuse(Code::wrongType, std::string(key),
+                      "Expected a list, got " + describeValue(*list) + ".");
+    }
+    if (list->size() > most) {
+        return refuse(Code::tooLarge, std::string(key),
+                      std::to_string(list->size()) + " entries; there may be " +
+                          std::to_string(most) + ".");
+    }
+    return *list;
+}
+
+Result<Objects> readObjects(const Json& list) {
+    Objects objects;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        Json spec = list[i];
+        if (spec.is_object() && member(spec, "id") == nullptr) spec["id"] = freshId(objects);
+        auto object = readObject(spec);
+        if (!object) return object.error().under(indexed("objects", i));
+        if (hasId(objects, (*object)->id)) {
+            return refuse(Code::outOfRange, indexed("objects", i) + ".id",
+                          "There is an object \"" + (*object)->id +
+                              "\" already; every id stands once.");
+        }
+        objects.push_back(std::move(*object));
+    }
+    return objects;
+}
+
+Result<Done> checkVersion(const Json& document) {
+    const Json* version = member(document, "knotwork");
+    if (version == nullptr) {
+        return refuse(Code::wrongType, "knotwork",
+                      "A document begins with its version: \"knotwork\": 1.");
+    }
+    if (version->is_number() && version->get<double>() > documentVersion) {
+        return refuse(Code::version, "knotwork",
+                      "The document has version " + formatNumber(version->get<double>()) +
+                          "; this program reads up to " + std::to_string(documentVersion) +
+                          ". Open it with a newer Knotwork.");
+    }
+    return Done{};
+}
+
+EffectKind effectKindOf(std::string_view kind) noexcept {
+    if (kind == "rotate") return EffectKind::rotate;
+    if (kind == "simulate") return EffectKind::simulate;
+    return kind == "colour" ? EffectKind::colour : EffectKind::translate;
+}
+
+/// Fills in what the canonical specification says for the effect's own kind.
+Result<Done> fillEffect(Effect& effect) {
+    const Json& spec = effect.spec;
+    effect.kind = effectKindOf(stringOr(spec, "kind", ""));
+    effect.target = stringOr(spec, "target", "");
+    effect.period = numberOr(spec, "period", 10);
+    const auto easing = makeBFunction(*member(spec, "easing"));
+    if (!easing) return easing.error().under("easing");
+    effect.easing = easing->value;
+    const bool simulate = effect.kind == EffectKind::simulate;
+    if (const Json* by = member(spec, simulate ? "translate" : "by")) effect.translate = vec3Of(*by);
+    const Json* turn = simulate ? member(spec, "rotate") : &spec;
+    if (const Json* axis = member(*turn, "axis")) effect.axis = vec3Of(*axis);
+    effect.angle = numberOr(*turn, "angle", 0);
+    effect.seed = numberOr(spec, "seed", 1);
+    if (const Json* to = member(spec, "to")) effect.to = *parseColour(to->get<std::string>());
+    if (effect.angle != 0 && !(glm::length(effect.axis) > 0)) {
+        return refuse(Code::outOfRange, simulate ? "rotate.axis" : "axis",
+                      "The axis has length zero and names no direction; give for example "
+                      "[0, 0, 1].");
+    }
+    return Done{};
+}
+
+Result<Json> canonicalEffect(const Json& given) {
+    if (!given.is_object()) {
+        return refuse(Code::wrongType, "", "Expected an effect, got " + describeValue(given) + ".");
+    }
+    std::string kinds;
+    for (const EffectType& type : effectTypes()) {
+        kinds += (kinds.empty() ? "" : ", ") + std::string(type.kind);
+    }
+    const Json* kind = member(given, "kind");
+    if (kind == nullptr || !kind->is_string()) {
+        return refuse(Code::wrongType, "kind", "An effect needs its kind, one of " + kinds + ".");
+    }
+    const EffectType* type = findEffectType(kind->get_ref<const std::string&>());
+    if (type == nullptr) {
+        return refuse(Code::unknownName, "kind",
+                      describeValue(*kind) + " is no effect; choose one of " + kinds + ".");
+    }
+    Json fields = given;
+    fields.erase("kind");
+    auto read = readGroup(fields, type->fields);
+    if (!read) return read.error();
+    Json canonical{{"target", *member(*read, "target")}, {"kind", *kind}};
+    for (const auto& item : read->items()) canonical[item.key()] = item.value();
+    return canonical;
+}
+
+}  // namespace
+
+std::string freshId(std::span<const std::shared_ptr<const Object>> objects) {
+    for (std::size_t n = 1;; ++n) {
+        std::string id = "c" + std::to_string(n);
+        if (!hasId(objects, id)) return id;
+    }
+}
+
+Result<std::shared_ptr<const Json>> readHeader(const Json& header) {
+    if (const auto version = checkVersion(header); !version) return version.error();
+    auto canonical = readGroup(header, headerFields());
+    if (!canonical) return canonical.error();
+    return std::make_shared<const Json>(std::move(*canonical));
+}
+
+Result<std::shared_ptr<const Object>> readObject(const Json& spec) {
+    auto made = makeObject(spec);
+    if (!made) return made.error();
+    std::string id = stringOr(made->spec, "id", "");
+    if (id.empty()) {
+        return refuse(Code::outOfRange, "id", "An id is a text of at least one character.");
+    }
+    const Style style = styleOf(made->spec);
+    const Show show = showOf(made->spec);
+    return std::make_shared<const Object>(Object{std::move(made->spec), std::move(id), style, show,
+                                                 std::move(made->value)});
+}
+
+Result<std::shared_ptr<const Effect>> readEffect(
+    const Json& spec, std::span<const std::shared_ptr<const Object>> objects) {
+    auto canonical = canonicalEffect(spec);
+    if (!canonical) return canonical.error();
+    Effect effect;
+    effect.spec = std::move(*canonical);
+    if (const auto filled = fillEffect(effect); !filled) return filled.error();
+    const auto target = std::find_if(objects.begin(), objects.end(), [&](const auto& object) {
+        return object->id == effect.target;
+    });
+    if (target == objects.end()) {
+        return refuse(Code::unknownName, "target",
+                      "There is no object \"" + effect.target + "\" in the scene.");
+    }
+    if (effect.kind == EffectKind::simulate && (*target)->curve.as<BlendingCurve>() == nullptr) {
+        return refuse(Code::notSupported, "kind",
+                      "\"simulate\" moves the local curves of a blending curve; \"" +
+                          effect.target + "\" has none.");
+    }
+    return std::make_shared<const Effect>(std::move(effect));
+}
+
+Result<State> readDocument(const Json& document) {
+    if (!document.is_object()) {
+        return refuse(Code::wrongType, "",
+                      "Expected a document such as { \"knotwork\": 1, \"objects\": […] }, got " +
+                          describeValue(document) + ".");
+    }
+    if (const auto version = checkVersion(document); !version) return version.error();
+    Json header = document;
+    header.erase("objects");
+    header.erase("effects");
+    State state;
+    auto read = readHeader(header);
+    if (!read) return read.error();
+    state.header = std::move(*read);
+    const auto objectList = listUnder(document, "objects", maximumObjects);
+    if (!objectList) return objectList.error();
+    auto objects = readObjects(*objectList);
+    if (!objects) return objects.error();
+    state.objects = std::move(*objects);
+    const auto effectList = listUnder(document, "effects", maximumEffects);
+    if (!effectList) return effectList.error();
+    for (std::size_t i = 0; i < effectList->size(); ++i) {
+        auto effect = readEffect((*effectList)[i], state.objects);
+        if (!effect) return effect.error().under(indexed("effects", i));
+        state.effects.push_back(std::move(*effect));
+    }
+    return state;
+}
+
+Json writeDocument(const State& state) {
+    Json document = *state.header;
+    Json objects = Json::array();
+    for (const auto& object : state.objects) objects.push_back(object->spec);
+    Json effects = Json::array();
+    for (const auto& effect : state.effects) effects.push_back(effect->spec);
+    document["objects"] = std::move(objects);
+    document["effects"] = std::move(effects);
+    return document;
+}
+
+}  // namespace knotwork::scene

@@ -1,0 +1,28 @@
+// Documents: read into states and written back.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace knotwork::scene {
+
+/// The version of the document format that this program writes, and the newest that it reads.
+constexpr int documentVersion = 1;
+constexpr std::size_t maximumObjects = 1000;
+constexpr std::size_t maximumEffects = 1000;
+
+/// A whole document. VERSION for one of a future version; otherwise as validation refuses, with
+/// paths such as `objects[0].knots[3]` or `effects[1].target`.
+[[nodiscard]] Result<State> readDocument(const Json& document);
+[[nodiscard]] Json writeDocument(const State& state);
+
+// The parts, for commands that change one of them; paths are relative to the part.
+[[nodiscard]] Result<std::shared_ptr<const Json>> readHeader(const Json& header);
+/// `spec` must have its id.
+[[nodiscard]] Result<std::shared_ptr<const Object>> readObject(const Json& spec);
+/// Among these objects must be the effect's target.
+[[nodiscard]] Result<std::shared_ptr<const Effect>> readEffect(
+    const Json& spec, std::span<const std::shared_ptr<const Object>> objects);
+/// `c1`, `c2` …: the first that no object has.
+[[nodiscard]] std::string freshId(std::span<const std::shared_ptr<const Object>> objects);
+
+}  // namespace knotwork::scene

@@ -1,0 +1,281 @@
+// The tables of fields.hpp.
+#include "geometry/b_function.hpp"
+#include "geometry/parametric_curve.hpp"
+#include "scene/fields.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace knotwork::scene {
+
+namespace {
+
+constexpr std::array formChoices{
+    Choice{"clamped", "Clamped"}, Choice{"open", "Open"}, Choice{"closed", "Closed"}};
+constexpr std::array blendFormChoices{Choice{"open", "Open"}, Choice{"closed", "Closed"}};
+constexpr std::array fitChoices{Choice{"affine", "Affine"}};
+constexpr std::array localKindChoices{Choice{"sub-curve", "Sub-curve"}};
+constexpr std::array modeChoices{Choice{"2d", "2D"}};
+
+constexpr std::array bsplineFields{
+    Field{.name = "degree", .label = "Degree", .kind = FieldKind::integer,
+          .help = "Degree of the polynomial pieces; the order is one more.",
+          .min = 1, .max = 25, .maxIsSize = true, .required = true},
+    Field{.name = "form", .label = "Form", .kind = FieldKind::choice,
+          .help = "Clamped ends in its end points, open does not, closed has no ends.",
+          .defaultJson = "\"clamped\"", .choices = formChoices},
+    Field{.name = "points", .label = "Control points", .kind = FieldKind::points,
+          .help = "The control polygon.", .required = true},
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
+          .help = "Points + degree + 1 numbers, or points + 1 of one period where closed; they "
+                  "must not decrease."},
+    Field{.name = "weights", .label = "Weights", .kind = FieldKind::numbers,
+          .help = "One positive number a point makes the curve rational."},
+};
+
+constexpr std::array parametricFields{
+    Field{.name = "name", .label = "Curve", .kind = FieldKind::curveName,
+          .help = "The formula of the curve.", .required = true},
+    Field{.name = "parameters", .label = "Parameters", .kind = FieldKind::parameters,
+          .help = "The numbers of its formula.", .defaultJson = "{}"},
+    Field{.name = "domain", .label = "Domain", .kind = FieldKind::interval,
+          .help = "Where the parameter runs, [start, end]."},
+};
+
+constexpr std::array blendingFields{
+    Field{.name = "bFunction", .label = "B-function", .kind = FieldKind::bFunction,
+          .help = "Blends each local curve into the next.", .required = true},
+    Field{.name = "model", .label = "Model", .kind = FieldKind::curve,
+          .help = "The curve that the local curves are cut from."},
+    Field{.name = "locals", .label = "Local curves", .kind = FieldKind::locals,
+          .help = "How many to cut from the model, or the local curves themselves.",
+          .required = true},
+    Field{.name = "form", .label = "Form", .kind = FieldKind::choice,
+          .help = "A closed curve blends its last local curve into its first.",
+          .choices = blendFormChoices},
+    Field{.name = "fit", .label = "Fit", .kind = FieldKind::choice,
+          .help = "Maps each local curve's own domain onto the interval where it takes part.",
+          .choices = fitChoices},
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
+          .help = "Where each local curve is centred; a closed curve has one more, the period "
+                  "after the first."},
+    Field{.name = "poses", .label = "Poses", .kind = FieldKind::poses,
+          .help = "How local curves are scaled, turned and moved.", .defaultJson = "[]"},
+};
+
+constexpr std::array types{
+    CurveType{"bspline-curve", "B-spline curve", bsplineFields},
+    CurveType{"parametric-curve", "Parametric curve", parametricFields},
+    CurveType{"blending-curve", "Blending curve", blendingFields},
+};
+
+constexpr std::array rotateFields{
+    Field{.name = "axis", .label = "Axis", .kind = FieldKind::point,
+          .help = "Axis of rotation.", .defaultJson = "[0,0,1]"},
+    Field{.name = "angle", .label = "Angle", .kind = FieldKind::number,
+          .help = "Radians, against the clock seen from the tip of the axis.", .min = -100, .max = 100,
+          .defaultJson = "0"},
+};
+
+constexpr std::array poseTable{
+    Field{.name = "local", .label = "Local curve", .kind = FieldKind::integer,
+          .help = "Which local curve, counted from 0.", .min = 0, .max = 9999, .required = true},
+    Field{.name = "translate", .label = "Move", .kind = FieldKind::point,
+          .help = "Moves the local curve.", .defaultJson = "[0,0,0]"},
+    Field{.name = "rotate", .label = "Turn", .kind = FieldKind::group,
+          .help = "Turns it about its point at its knot.", .defaultJson = "{}",
+          .fields = rotateFields},
+    Field{.name = "scale", .label = "Scale", .kind = FieldKind::scale,
+          .help = "Scales it about its point at its knot.", .defaultJson = "1"},
+};
+
+constexpr std::array localsTable{
+    Field{.name = "count", .label = "Number", .kind = FieldKind::integer,
+          .help = "How many local curves are cut from the model.", .min = 2, .max = 10'000,
+          .maxIsSize = true, .required = true},
+    Field{.name = "kind", .label = "Kind", .kind = FieldKind::choice,
+          .help = "What is cut from the model.", .defaultJson = "\"sub-curve\"",
+          .choices = localKindChoices},
+};
+
+constexpr std::array styleFields{
+    Field{.name = "colour", .label = "Colour", .kind = FieldKind::colour,
+          .help = "Colour of the curve.", .defaultJson = "\"#2b6cb0\""},
+    Field{.name = "width", .label = "Width", .kind = FieldKind::number,
+          .help = "Width of the curve in CSS pixels.", .min = 0.5, .max = 12,
+          .defaultJson = "2.5"},
+};
+
+constexpr std::array showFields{
+    Field{.name = "curve", .label = "Curve", .kind = FieldKind::flag, .help = "The curve itself.",
+          .defaultJson = "true"},
+    Field{.name = "polygon", .label = "Polygon", .kind = FieldKind::flag,
+          .help = "The control polygon.", .defaultJson = "true"},
+    Field{.name = "points", .label = "Points", .kind = FieldKind::flag,
+          .help = "The control points.", .defaultJson = "true"},
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::flag,
+          .help = "Knots on the curve.", .defaultJson = "true"},
+    Field{.name = "locals", .label = "Local curves", .kind = FieldKind::flag,
+          .help = "The local curves, dashed where they fade.", .defaultJson = "false"},
+    Field{.name = "handles", .label = "Handles", .kind = FieldKind::flag,
+          .help = "Handles that move the local curves.", .defaultJson = "true"},
+    Field{.name = "basis", .label = "Basis functions", .kind = FieldKind::flag,
+          .help = "The basis functions over the knot line.", .defaultJson = "true"},
+    Field{.name = "bFunction", .label = "B-function", .kind = FieldKind::flag,
+          .help = "The B-function with its derivatives.", .defaultJson = "true"},
+};
+
+constexpr std::array objectTable{
+    Field{.name = "id", .label = "Name", .kind = FieldKind::text,
+          .help = "The name by which effects and commands call the object."},
+    Field{.name = "style", .label = "Style", .kind = FieldKind::group, .help = "How it looks.",
+          .defaultJson = "{}", .fields = styleFields},
+    Field{.name = "show", .label = "Show", .kind = FieldKind::group, .help = "What is drawn.",
+          .defaultJson = "{}", .fields = showFields},
+};
+
+constexpr std::array cameraFields{
+    Field{.name = "center", .label = "Centre", .kind = FieldKind::point,
+          .help = "The point in the middle of the view; without it all is fitted."},
+    Field{.name = "height", .label = "Height", .kind = FieldKind::number,
+          .help = "Height of the view in units of the curve.", .min = 1e-9, .max = 1e12},
+};
+
+constexpr std::array viewFields{
+    Field{.name = "mode", .label = "Mode", .kind = FieldKind::choice, .help = "Kind of view.",
+          .defaultJson = "\"2d\"", .choices = modeChoices},
+    Field{.name = "panes", .label = "Panes", .kind = FieldKind::panes,
+          .help = "Which linked views are shown.",
+          .defaultJson = "[\"curve\",\"basis\",\"knots\",\"bFunction\"]"},
+    Field{.name = "camera", .label = "Camera", .kind = FieldKind::group,
+          .help = "What the view looks at.", .defaultJson = "{}", .fields = cameraFields},
+};
+
+constexpr std::array headerTable{
+    Field{.name = "knotwork", .label = "Version", .kind = FieldKind::integer,
+          .help = "Version of the document format.", .min = 1, .required = true},
+    Field{.name = "title", .label = "Title", .kind = FieldKind::text, .help = "Title of the scene.",
+          .defaultJson = "\"\""},
+    Field{.name = "description", .label = "Description", .kind = FieldKind::text,
+          .help = "What there is to see.", .defaultJson = "\"\""},
+    Field{.name = "view", .label = "View", .kind = FieldKind::group, .help = "How it is shown.",
+          .defaultJson = "{}", .fields = viewFields},
+};
+
+constexpr Field targetField{.name = "target", .label = "Object", .kind = FieldKind::text,
+                            .help = "The id of the object that moves.", .required = true};
+constexpr Field periodField{.name = "period", .label = "Period", .kind = FieldKind::number,
+                            .help = "Seconds until everything stands where it began.", .min = 0,
+                            .max = 86'400, .minOpen = true, .defaultJson = "10"};
+constexpr Field easingField{.name = "easing", .label = "Easing", .kind = FieldKind::bFunction,
+                            .help = "The B-function by which it goes there and comes back.",
+                            .defaultJson = "{\"family\":\"trigonometric\"}"};
+
+constexpr std::array translateFields{
+    targetField,
+    Field{.name = "by", .label = "By", .kind = FieldKind::point, .help = "How far it moves.",
+          .defaultJson = "[1,0,0]"},
+    periodField, easingField};
+constexpr std::array turnFields{
+    targetField,
+    Field{.name = "axis", .label = "Axis", .kind = FieldKind::point,
+          .help = "Axis of rotation, through the origin.", .defaultJson = "[0,0,1]"},
+    Field{.name = "angle", .label = "Angle", .kind = FieldKind::number, .help = "Radians.",
+          .min = -1000, .max = 1000, .defaultJson = "1"},
+    periodField, easingField};
+constexpr std::array simulateFields{
+    targetField,
+    Field{.name = "translate", .label = "Move", .kind = FieldKind::point,
+          .help = "How far a local curve moves at most along each axis.",
+          .defaultJson = "[0.5,0.5,0]"},
+    Field{.name = "rotate", .label = "Turn", .kind = FieldKind::group,
+          .help = "How far a local curve turns at most.", .defaultJson = "{}",
+          .fields = rotateFields},
+    Field{.name = "seed", .label = "Seed", .kind = FieldKind::integer,
+          .help = "Another number, another dance.", .min = 0, .max = 4294967295.0,
+          .defaultJson = "1"},
+    periodField, easingField};
+constexpr std::array colourFields{
+    targetField,
+    Field{.name = "to", .label = "To", .kind = FieldKind::colour, .help = "The other colour.",
+          .defaultJson = "\"#d69e2e\""},
+    periodField, easingField};
+
+constexpr std::array effects{
+    EffectType{"translate", "Move", translateFields},
+    EffectType{"rotate", "Turn", turnFields},
+    EffectType{"simulate", "Simulate", simulateFields},
+    EffectType{"colour", "Colour", colourFields},
+};
+
+Field fieldOf(const ParameterDescription& parameter) {
+    return {.name = parameter.name, .label = parameter.label,
+            .kind = parameter.integer ? FieldKind::integer : FieldKind::number,
+            .help = parameter.help, .min = parameter.min, .max = parameter.max,
+            .minOpen = parameter.minOpen, .maxOpen = parameter.maxOpen,
+            .defaultNumber = parameter.defaultValue,
+            .slider = std::pair{parameter.low, parameter.high}};
+}
+
+Field fieldOf(const OperandDescription& operand) {
+    return {.name = operand.name, .label = operand.label,
+            .kind = operand.count == 1 ? FieldKind::bFunction : FieldKind::bFunctions,
+            .help = "The B-function that this one is made of.", .required = true};
+}
+
+}  // namespace
+
+std::optional<std::vector<Field>> bFunctionFields(std::string_view family) {
+    const BFamilyDescription* description = findBFamily(family);
+    if (description == nullptr) return std::nullopt;
+    std::vector<Field> fields;
+    for (const auto& operand : description->operands) fields.push_back(fieldOf(operand));
+    for (const auto& parameter : description->parameters) fields.push_back(fieldOf(parameter));
+    if (description->tabulated) {
+        fields.push_back({.name = "values", .label = "Values", .kind = FieldKind::numbers,
+                          .help = "B at uniform parameters, the first 0, the last 1.",
+                          .required = true});
+    }
+    return fields;
+}
+
+std::optional<std::vector<Field>> curveParameterFields(std::string_view name) {
+    const ParametricModelDescription* model = findParametricModel(name);
+    if (model == nullptr) return std::nullopt;
+    std::vector<Field> fields;
+    for (const auto& parameter : model->parameters) fields.push_back(fieldOf(parameter));
+    return fields;
+}
+
+std::vector<Choice> bFunctionChoices() {
+    std::vector<Choice> choices;
+    for (const auto& family : bFunctionFamilies()) choices.push_back({family.name, family.label});
+    return choices;
+}
+
+std::vector<Choice> parametricCurveChoices() {
+    std::vector<Choice> choices;
+    for (const auto& model : parametricCurveModels()) choices.push_back({model.name, model.label});
+    return choices;
+}
+
+std::span<const CurveType> curveTypes() noexcept { return types; }
+std::span<const Field> objectFields() noexcept { return objectTable; }
+std::span<const Field> headerFields() noexcept { return headerTable; }
+std::span<const EffectType> effectTypes() noexcept { return effects; }
+std::span<const Field> poseFields() noexcept { return poseTable; }
+std::span<const Field> localsFields() noexcept { return localsTable; }
+
+const CurveType* findCurveType(std::string_view type) noexcept {
+    const auto found = std::find_if(types.begin(), types.end(),
+                                    [&](const CurveType& t) { return t.type == type; });
+    return found == types.end() ? nullptr : &*found;
+}
+
+const EffectType* findEffectType(std::string_view kind) noexcept {
+    const auto found = std::find_if(effects.begin(), effects.end(),
+                                    [&](const EffectType& e) { return e.kind == kind; });
+    return found == effects.end() ? nullptr : &*found;
+}
+
+}  // namespace knotwork::scene

@@ -1,0 +1,171 @@
+// What panels show: the fields of one object with nested ones resolved.
+#include "scene/fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace knotwork::scene {
+
+namespace {
+
+constexpr std::array<std::pair<FieldKind, std::string_view>, 20> kindNames{{
+    {FieldKind::number, "number"},
+    {FieldKind::integer, "integer"},
+    {FieldKind::flag, "flag"},
+    {FieldKind::choice, "choice"},
+    {FieldKind::text, "text"},
+    {FieldKind::colour, "colour"},
+    {FieldKind::point, "point"},
+    {FieldKind::points, "points"},
+    {FieldKind::numbers, "numbers"},
+    {FieldKind::poses, "poses"},
+    {FieldKind::bFunction, "bFunction"},
+    {FieldKind::bFunctions, "bFunctions"},
+    {FieldKind::curve, "curve"},
+    {FieldKind::locals, "locals"},
+    {FieldKind::curveName, "choice"},
+    {FieldKind::parameters, "parameters"},
+    {FieldKind::scale, "scale"},
+    {FieldKind::interval, "interval"},
+    {FieldKind::panes, "panes"},
+    {FieldKind::group, "group"},
+}};
+
+/// Walks an object along its tables and collects the fields that can be edited as one value.
+class Collector {
+public:
+    void curve(const Json& spec, const std::string& path, const std::string& group) {
+        const CurveType* type = findCurveType(stringOr(spec, "type", ""));
+        if (type != nullptr) members(spec, type->fields, path, group);
+    }
+
+    void members(const Json& spec, std::span<const Field> fields, const std::string& path,
+                 const std::string& group) {
+        for (const Field& field : fields) {
+            if (const Json* value = member(spec, field.name)) {
+                one(spec, field, *value, joinPath(path, field.name), group);
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<PanelField> take() { return std::move(collected_); }
+
+private:
+    void one(const Json& parent, const Field& field, const Json& value, const std::string& path,
+             const std::string& group) {
+        const std::string inside = group.empty() ? std::string(field.label)
+                                                 : group + " · " + std::string(field.label);
+        switch (field.kind) {
+            case FieldKind::group: members(value, field.fields, path, inside); break;
+            case FieldKind::curve: curve(value, path, inside); break;
+            case FieldKind::bFunction: bFunction(value, path, inside); break;
+            case FieldKind::bFunctions:
+                for (std::size_t i = 0; i < value.size(); ++i) {
+                    bFunction(value[i], indexed(path, i), inside + " " + std::to_string(i + 1));
+                }
+                break;
+            case FieldKind::parameters: parameters(parent, value, path, group); break;
+            case FieldKind::locals: locals(value, path, inside); break;
+            case FieldKind::curveName: leaf(field, value, path, group, parametricCurveChoices()); break;
+            default: leaf(field, value, path, group, field.choices); break;
+        }
+    }
+
+    void bFunction(const Json& spec, const std::string& path, const std::string& group) {
+        constexpr Field family{.name = "family", .label = "Family", .kind = FieldKind::choice,
+                               .help = "The formula of the B-function."};
+        const std::string name = stringOr(spec, "family", "");
+        leaf(family, name, joinPath(path, "family"), group, bFunctionChoices());
+        if (const auto fields = bFunctionFields(name)) members(spec, *fields, path, group);
+    }
+
+    void parameters(const Json& parent, const Json& value, const std::string& path,
+                    const std::string& group) {
+        if (const auto fields = curveParameterFields(stringOr(parent, "name", ""))) {
+            members(value, *fields, path, group);
+        }
+    }
+
+    void locals(const Json& value, const std::string& path, const std::string& group) {
+        if (!value.is_array()) {
+            members(value, localsFields(), path, group);
+            return;
+        }
+        for (std::size_t j = 0; j < value.size(); ++j) {
+            curve(value[j], indexed(path, j), group + " " + std::to_string(j));
+        }
+    }
+
+    void leaf(const Field& field, const Json& value, const std::string& path,
+              const std::string& group, std::span<const Choice> choices) {
+        PanelField shown;
+        shown.path = path;
+        shown.label = field.label;
+        shown.kind = field.kind == FieldKind::curveName ? FieldKind::choice : field.kind;
+        shown.help = field.help;
+        shown.min = field.min;
+        shown.max = field.max;
+        shown.minOpen = field.minOpen;
+        shown.maxOpen = field.maxOpen;
+        const auto slider = field.slider.value_or(std::pair{field.min, field.max});
+        shown.low = slider.first;
+        shown.high = slider.second;
+        shown.slider = std::isfinite(slider.first) && std::isfinite(slider.second);
+        for (const Choice& choice : choices) shown.choices.emplace_back(choice.value, choice.label);
+        shown.group = group;
+        shown.value = value;
+        collected_.push_back(std::move(shown));
+    }
+
+    std::vector<PanelField> collected_;
+};
+
+}  // namespace
+
+std::string_view fieldKindName(FieldKind kind) noexcept {
+    const auto found = std::find_if(kindNames.begin(), kindNames.end(),
+                                    [&](const auto& entry) { return entry.first == kind; });
+    return found->second;
+}
+
+std::vector<PanelField> panelFields(const Json& object) {
+    Collector collector;
+    collector.curve(object, "", "");
+    collector.members(object, objectFields(), "", "");
+    return collector.take();
+}
+
+Json panelFieldsJson(const Json& object) {
+    Json list = Json::array();
+    for (PanelField& field : panelFields(object)) {
+        Json shown{{"path", field.path},
+                   {"name", field.path.substr(field.path.rfind('.') + 1)},
+                   {"label", field.label},
+                   {"kind", fieldKindName(field.kind)},
+                   {"group", field.group},
+                   {"help", field.help}};
+        if (std::isfinite(field.min)) shown["min"] = field.min;
+        if (std::isfinite(field.max)) shown["max"] = field.max;
+        if (field.minOpen) shown["minOpen"] = true;
+        if (field.maxOpen) shown["maxOpen"] = true;
+        if (field.slider) {
+            shown["low"] = field.low;
+            shown["high"] = field.high;
+        }
+        if (!field.choices.empty()) {
+            Json choices = Json::array();
+            for (const auto& [value, label] : field.choices) {
+                choices.push_back({{"value", value}, {"label", label}});
+            }
+            shown["choices"] = std::move(choices);
+        }
+        shown["range"] = Json::array({shown.value("min", Json()), shown.value("max", Json())});
+        shown["value"] = std::move(field.value);
+        list.push_back(std::move(shown));
+    }
+    return list;
+}
+
+}  // namespace knotwork::scene
