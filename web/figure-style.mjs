@@ -1,0 +1,221 @@
+// The look of a figure, in its shadow tree. A constructed style sheet passes the strictest policy.
+
+import { tokens } from './tokens.mjs';
+
+const layout = `
+:host { display: block; container-type: inline-size; }
+:host([hidden]) { display: none; }
+*, *::before, *::after { box-sizing: border-box; }
+[hidden] { display: none !important; }
+.frame {
+    ${tokens.light}
+    display: grid;
+    grid-template: "stage" auto "toolbar" auto "values" auto / minmax(0, 1fr);
+    background: var(--ground);
+    color: var(--ink);
+    font: 400 0.9375rem/1.5 system-ui, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif;
+    border: 1px solid var(--line);
+    border-radius: 12px;
+    overflow: clip;
+}
+.frame[data-theme="dark"] { ${tokens.dark} }
+.stage { grid-area: stage; position: relative; min-height: 12rem; aspect-ratio: 16 / 9;
+    height: var(--knotwork-height, auto); }
+.view {
+    position: absolute;
+    inset: 0;
+    outline: none;
+    user-select: none;
+    -webkit-user-select: none;
+    -webkit-tap-highlight-color: transparent;
+    touch-action: pan-x pan-y pinch-zoom;
+}
+.view canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
+.view:focus-visible::after {
+    content: "";
+    position: absolute;
+    inset: 3px;
+    border: 2px solid var(--accent);
+    border-radius: 9px;
+    pointer-events: none;
+}
+.fallback { position: absolute; inset: 0; display: grid; place-content: center; padding: 1.5rem;
+    text-align: center; color: var(--quiet); overflow: auto; pointer-events: none; }
+.refusal { position: absolute; inset: auto 0.75rem 0.75rem; padding: 0.75rem 1rem; border-radius: 8px;
+    background: var(--bad-wash); color: var(--ink); border-inline-start: 4px solid var(--bad);
+    font-size: 0.875rem; overflow-wrap: anywhere; }
+.refusal p { margin: 0; }
+.aside { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%);
+    white-space: nowrap; }
+@container (min-width: 54rem) {
+    .frame[data-values] {
+        grid-template: "stage values" auto "toolbar values" auto / minmax(0, 1fr) minmax(20rem, 23rem);
+    }
+    .frame[data-values] .values {
+        border-block-start: 0;
+        border-inline-start: 1px solid var(--line);
+        contain: size;
+        overflow: auto;
+        overscroll-behavior: contain;
+    }
+}
+@media (prefers-contrast: more) {
+    .frame { --line: var(--edge); --quiet: var(--ink); }
+}
+@media print {
+    .toolbar, .values, .refusal { display: none; }
+    .frame { border: 0; }
+    .frame, .frame[data-values] { grid-template: "stage" auto / minmax(0, 1fr); }
+}
+@media (forced-colors: active) {
+    .button[aria-pressed="true"] { outline: 2px solid Highlight; }
+}
+`;
+
+const toolbar = `
+.toolbar {
+    grid-area: toolbar;
+    display: flex;
+    flex-wrap: wrap;
+    align-items: center;
+    gap: 0.125rem 0.25rem;
+    padding: 0.375rem 0.5rem;
+    border-block-start: 1px solid var(--line);
+}
+.motion { display: flex; align-items: center; gap: 0.25rem; flex: 1 1 12rem; max-width: 30rem; }
+.spring { flex: 1 0 0; }
+.button {
+    display: inline-flex;
+    align-items: center;
+    justify-content: center;
+    gap: 0.375rem;
+    min-width: 36px;
+    min-height: 36px;
+    padding: 0.25rem;
+    border: 0;
+    border-radius: 8px;
+    background: transparent;
+    color: var(--ink);
+    font: inherit;
+    font-size: 0.875rem;
+    cursor: pointer;
+}
+.button:hover { background: var(--raised); }
+.button[aria-disabled="true"] { color: var(--edge); cursor: default; background: transparent; }
+.button:is([aria-pressed="true"], [aria-expanded="true"]) { background: var(--wash); color: var(--accent); }
+.button .caption { padding-inline-end: 0.375rem; }
+.button.values { padding-inline: 0.5rem 0.25rem; }
+.icon { width: 20px; height: 20px; flex: none; fill: none; stroke: currentColor; stroke-width: 1.6;
+    stroke-linecap: round; stroke-linejoin: round; }
+:is(button, input, select, summary):focus-visible {
+    outline: 2px solid var(--accent);
+    outline-offset: 1px;
+}
+input[type="range"] { appearance: none; -webkit-appearance: none; flex: 1; min-width: 4rem; height: 24px;
+    margin: 0; background: transparent; cursor: pointer; border-radius: 6px; }
+input[type="range"]::-webkit-slider-runnable-track { height: 3px; border-radius: 2px;
+    background: color-mix(in srgb, var(--edge) 75%, var(--ground)); }
+input[type="range"]::-moz-range-track { height: 3px; border-radius: 2px;
+    background: color-mix(in srgb, var(--edge) 75%, var(--ground)); }
+input[type="range"]::-webkit-slider-thumb { appearance: none; -webkit-appearance: none;
+    width: 15px; height: 15px; margin-top: -6px; border-radius: 50%; border: 2px solid var(--ground);
+    background: var(--accent); box-shadow: 0 0 0 1px var(--accent); }
+input[type="range"]::-moz-range-thumb { width: 12px; height: 12px; border-radius: 50%;
+    border: 2px solid var(--ground); background: var(--accent); box-shadow: 0 0 0 1px var(--accent); }
+input[type="range"]:disabled { opacity: 0.5; cursor: default; }
+@media (pointer: coarse) {
+    .button { min-width: 44px; min-height: 44px; }
+    input[type="range"] { height: 44px; }
+}
+`;
+
+const values = `
+.values { grid-area: values; border-block-start: 1px solid var(--line); font-size: 0.875rem; }
+.values-inner { padding: 0.25rem 1.125rem 1.5rem; }
+.values h2 { margin: 1.125rem 0 0.25rem; font-size: 1rem; font-weight: 650; letter-spacing: -0.005em; }
+.values h3 { margin: 0; font-size: 0.875rem; font-weight: 600; }
+.values .shape { margin: 0 0 0.5rem; color: var(--quiet); }
+.group { margin: 0; padding: 0; border: 0; min-width: 0; }
+.group > legend { padding: 0.875rem 0 0.125rem; font-weight: 600; font-size: 0.8125rem;
+    color: var(--quiet); }
+.field { display: grid; grid-template-columns: minmax(6.5rem, 2fr) minmax(0, 3fr); align-items: center;
+    gap: 0 0.75rem; padding-block: 0.1875rem; }
+.field > label, .field > .name { color: var(--ink); overflow-wrap: anywhere; }
+.field .controls { display: flex; align-items: center; gap: 0.5rem; min-width: 0; }
+.flags { display: grid; grid-template-columns: repeat(auto-fill, minmax(8.5rem, 1fr)); gap: 0 0.75rem; }
+.flag { display: flex; align-items: center; gap: 0.5rem; min-height: 28px; cursor: pointer; }
+input[type="checkbox"] { appearance: none; -webkit-appearance: none; width: 18px; height: 18px;
+    margin: 3px; flex: none; border: 1px solid var(--edge); border-radius: 4px; background: var(--ground);
+    display: grid; place-content: center; cursor: pointer; }
+input[type="checkbox"]:checked { background: var(--accent); border-color: var(--accent); }
+input[type="checkbox"]:checked::before { content: ""; width: 9px; height: 5px; margin-top: -3px;
+    border: solid var(--on-accent); border-width: 0 0 2px 2px; transform: rotate(-45deg); }
+input[type="text"], select {
+    width: 100%;
+    min-width: 0;
+    min-height: 28px;
+    padding: 0.125rem 0.5rem;
+    border: 1px solid var(--edge);
+    border-radius: 6px;
+    background: var(--ground);
+    color: var(--ink);
+    font: inherit;
+    font-variant-numeric: tabular-nums;
+}
+input[type="range"] + input[type="text"] { width: 5rem; flex: none; }
+input:disabled, select:disabled { color: var(--quiet); border-color: var(--line); }
+input[aria-invalid="true"] { border-color: var(--bad); box-shadow: inset 0 0 0 1px var(--bad); }
+input[type="color"] { width: 56px; height: 28px; padding: 2px; border: 1px solid var(--edge);
+    border-radius: 6px; background: var(--ground); cursor: pointer; }
+.complaint { grid-column: 1 / -1; margin: 0.25rem 0 0.375rem; padding: 0.375rem 0.625rem;
+    border-radius: 6px; background: var(--bad-wash); border-inline-start: 3px solid var(--bad);
+    font-size: 0.8125rem; overflow-wrap: anywhere; }
+.complaint:empty { display: none; }
+details.list { padding-block: 0.25rem; }
+details.list > summary { min-height: 28px; display: flex; align-items: center; gap: 0.5rem;
+    cursor: pointer; list-style: none; border-radius: 6px; }
+details.list > summary::-webkit-details-marker { display: none; }
+details.list > summary::before { content: ""; width: 6px; height: 6px; margin-inline: 3px 3px;
+    border: solid var(--quiet); border-width: 0 1.5px 1.5px 0; transform: rotate(-45deg); }
+details.list[open] > summary::before { transform: rotate(45deg); }
+.count { color: var(--quiet); font-variant-numeric: tabular-nums; }
+table { width: 100%; border-collapse: collapse; }
+th { font-weight: 500; font-size: 0.75rem; color: var(--quiet); text-align: start;
+    padding: 0.125rem 0.25rem; }
+td { padding: 2px; }
+td:first-child, th:first-child { width: 2.25rem; padding-inline-start: 0; color: var(--quiet);
+    font-variant-numeric: tabular-nums; text-align: end; padding-inline-end: 0.5rem; font-weight: 400;
+    font-size: 0.8125rem; }
+td:last-child { width: 32px; }
+.small { min-width: 28px; min-height: 28px; padding: 0; }
+.small .icon { width: 16px; height: 16px; }
+.small:not(:hover) { color: var(--quiet); }
+.adding { display: flex; align-items: center; gap: 0.5rem; margin-block: 0.375rem 0.25rem; }
+.adding label { flex: none; }
+.adding input { width: 5.5rem; }
+.quiet-button { min-height: 28px; padding: 0.125rem 0.75rem; border: 1px solid var(--edge);
+    border-radius: 6px; background: transparent; color: var(--ink); font: inherit; cursor: pointer; }
+.quiet-button:hover { background: var(--raised); }
+.readout { margin: 0.5rem 0 0; display: grid; grid-template-columns: minmax(6.5rem, 2fr) minmax(0, 3fr);
+    gap: 0.125rem 0.75rem; }
+.readout dt { color: var(--quiet); }
+.readout dd { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
+@media (pointer: coarse) {
+    input[type="text"], select, .small, .quiet-button, .flag, details.list > summary,
+    input[type="color"] { min-height: 44px; }
+    .small { min-width: 44px; }
+    td:last-child { width: 48px; }
+}
+`;
+
+/** @type {CSSStyleSheet | undefined} */
+let sheet;
+
+/** The one style sheet of all figures of the page. */
+export function figureSheet() {
+    if (!sheet) {
+        sheet = new CSSStyleSheet();
+        sheet.replaceSync(layout + toolbar + values);
+    }
+    return sheet;
+}

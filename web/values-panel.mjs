@@ -1,0 +1,134 @@
+// The values panel: everything that can be dragged, as fields to be typed. It is made from the same
+// descriptions as the panel in the picture and makes the same commands.
+
+import { el, setText } from './dom.mjs';
+import { shapeSentence } from './shape.mjs';
+import { makeField } from './values-fields.mjs';
+import { makeList } from './values-lists.mjs';
+import { Readout } from './values-readout.mjs';
+
+/** @typedef {import('./values-fields.mjs').FieldDescription} FieldDescription */
+/** @typedef {{ object: string, type: string, label: string, fields: FieldDescription[] }} ObjectDescription */
+
+/**
+ * What the panel works on.
+ * @typedef {object} PanelHost
+ * @property {import('./words.mjs').Words} words
+ * @property {any} kw
+ * @property {boolean} readOnly
+ * @property {(command: any, final: boolean) => any} run executes a command, answers its refusal
+ */
+
+export class ValuesPanel {
+    #structure = '';
+    /** @type {ObjectSection[]} */
+    #sections = [];
+
+    /** @param {PanelHost} host */
+    constructor(host) {
+        this.host = host;
+        this.inner = el('div', { class: 'values-inner' });
+        this.element = el('section', {
+            class: 'values',
+            attributes: { 'aria-label': host.words.text('values') },
+        }, this.inner);
+    }
+
+    /**
+     * Shows the scene as it is now; controls are made anew only when there are others than before.
+     * @param {any} scene
+     */
+    update(scene) {
+        /** @type {ObjectDescription[]} */
+        const objects = scene.schema;
+        const structure = JSON.stringify(objects.map(structureOf));
+        if (structure !== this.#structure) this.#build(objects);
+        this.#structure = structure;
+        const { document } = scene;
+        objects.forEach((object, k) => this.#sections[k].update(object, document.objects[k]));
+    }
+
+    /** @param {ObjectDescription[]} objects */
+    #build(objects) {
+        this.#sections = objects.map((object, k) => new ObjectSection(this.host, object, k));
+        const sections = this.#sections.map((section) => section.element);
+        this.inner.replaceChildren(...sections);
+        if (objects.length === 0) this.inner.append(el('p', { text: this.host.words.text('values.none') }));
+    }
+}
+
+/**
+ * What of an object decides which controls there are.
+ * @param {ObjectDescription} object
+ */
+function structureOf({ object, type, fields }) {
+    return [object, type, fields.map(({ path, kind, min, max, choices, value }) =>
+        [path, kind, min, max, choices, Array.isArray(value), kind === 'point' && value?.length])];
+}
+
+/** The fields of one object under its name, and its readout. */
+class ObjectSection {
+    /**
+     * @param {PanelHost} host
+     * @param {ObjectDescription} object
+     * @param {number} index among the scene's objects
+     */
+    constructor(host, object, index) {
+        this.host = host;
+        this.label = object.label ?? object.type;
+        /** @type {Map<string, import('./values-fields.mjs').FieldControl>} */
+        this.controls = new Map();
+        this.shape = el('p', { class: 'shape' });
+        this.readout = new Readout(host.words, host.kw);
+        const around = {
+            words: host.words, readOnly: host.readOnly, run: host.run,
+            address: `objects[${index}]`, id: object.object, type: object.type,
+        };
+        const title = el('h2', { text: object.object });
+        this.element = el('div', {}, title, this.shape, ...this.#groups(object, around), this.readout.element);
+    }
+
+    /**
+     * @param {ObjectDescription} object
+     * @param {any} spec of the object in the canonical document
+     */
+    update(object, spec) {
+        for (const field of object.fields) this.controls.get(field.path)?.update(field);
+        setText(this.shape, shapeSentence(this.host.words, spec, this.label));
+        this.readout.update(spec);
+    }
+
+    /**
+     * @param {ObjectDescription} object
+     * @param {import('./values-fields.mjs').Surroundings} around
+     */
+    #groups(object, around) {
+        /** @type {Map<string, FieldDescription[]>} */
+        const groups = new Map();
+        for (const field of object.fields) {
+            const name = field.group ?? '';
+            groups.set(name, [...(groups.get(name) ?? []), field]);
+        }
+        return [...groups].map(([name, fields]) => this.#group(name, fields, around));
+    }
+
+    /**
+     * @param {string} name
+     * @param {FieldDescription[]} fields
+     * @param {import('./values-fields.mjs').Surroundings} around
+     */
+    #group(name, fields, around) {
+        const flags = el('div', { class: 'flags' });
+        const rows = [];
+        for (const field of fields) {
+            const control = makeField(field, around) ?? makeList(field, around);
+            if (!control) continue;
+            this.controls.set(field.path, control);
+            if (field.kind === 'flag') flags.append(control.element);
+            else rows.push(control.element);
+        }
+        if (flags.childElementCount > 0) rows.push(flags);
+        if (!name) return el('div', { class: 'group' }, ...rows);
+        return el('fieldset', { class: 'group' }, el('legend', { text: around.words.label(name) }), ...rows);
+    }
+}
