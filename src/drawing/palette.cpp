@@ -1,0 +1,59 @@
+#include "drawing/palette.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace knotwork::drawing {
+
+namespace {
+
+constexpr Colour rgb(unsigned hex) noexcept {
+    return {(hex >> 16U & 0xffU) / 255.0, (hex >> 8U & 0xffU) / 255.0, (hex & 0xffU) / 255.0, 1};
+}
+
+constexpr std::array lightCycle{rgb(0x0072b2), rgb(0xd55e00), rgb(0x008f6b), rgb(0xb8528f),
+                                rgb(0xa87800), rgb(0x2f86b8), rgb(0x6d4fc2), rgb(0x6b6b6b)};
+constexpr std::array darkCycle{rgb(0x56b4e9), rgb(0xff9a4d), rgb(0x2fc99e), rgb(0xe89ac7),
+                               rgb(0xe6c229), rgb(0x8ecdf5), rgb(0xb09cff), rgb(0xb8b8b8)};
+
+/// Relative luminance (WCAG 2.2).
+double luminance(const Colour& colour) noexcept {
+    const auto linear = [](double c) {
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) +
+           0.0722 * linear(colour.blue);
+}
+
+/// Contrast of 3 : 1 against our dark background (#12161f or so, luminance 0.008).
+constexpr double leastLuminance = 0.13;
+
+}  // namespace
+
+Colour roleColour(Role role, bool dark) noexcept {
+    switch (role) {
+        case Role::polygon: return dark ? rgb(0x6f7f99) : rgb(0x8a97ab);
+        case Role::points: return dark ? rgb(0xf2a65a) : rgb(0xc4561b);
+        case Role::knots: return dark ? rgb(0xff7b7b) : rgb(0xc02f3a);
+        case Role::local: return dark ? rgb(0x4cc29a) : rgb(0x2a8f6a);
+        case Role::handle: return dark ? rgb(0x58d0a7) : rgb(0x1f7a59);
+        default: return dark ? rgb(0xc9d4e5) : rgb(0x33415c);
+    }
+}
+
+Colour cycleColour(std::size_t i, bool dark) noexcept {
+    return dark ? darkCycle[i % darkCycle.size()] : lightCycle[i % lightCycle.size()];
+}
+
+Colour onBackground(const Colour& colour, bool dark) noexcept {
+    if (!dark) return colour;
+    constexpr Colour white{1, 1, 1, 1};
+    Colour lifted = colour;
+    for (int step = 1; step <= 8 && luminance(lifted) < leastLuminance; ++step) {
+        lifted = scene::mixColours(colour, white, step / 10.0);
+    }
+    return lifted;
+}
+
+}  // namespace knotwork::drawing

@@ -1,0 +1,19 @@
+// Colours of what surrounds a curve, for light and for dark backgrounds. The cycle keeps its hues
+// apart for people who do not see red and green apart (after Okabe and Ito, 2008).
+#pragma once
+
+#include "drawing/drawing.hpp"
+
+namespace knotwork::drawing {
+
+/// Polygons, points, knots, handles, local curves: the quiet colour of a role.
+[[nodiscard]] Colour roleColour(Role role, bool dark) noexcept;
+
+/// The i-th of a cycle of colours for things that stand side by side (basis functions, the orders
+/// of derivative of a B-function).
+[[nodiscard]] Colour cycleColour(std::size_t i, bool dark) noexcept;
+
+/// An author's colour, lifted on a dark background until it can be seen there.
+[[nodiscard]] Colour onBackground(const Colour& colour, bool dark) noexcept;
+
+}  // namespace knotwork::drawing

@@ -1,0 +1,23 @@
+// The functions behind a curve, sampled for plotting: basis functions, blending functions, the
+// B-function with its derivatives, and the knots as a line.
+#pragma once
+
+#include "drawing/drawing.hpp"
+
+namespace knotwork::drawing {
+
+/// More basis functions than this are not drawn: in a picture nobody could tell them apart.
+constexpr std::size_t maximumBasisFunctions = 400;
+
+/// One polyline a function, `index` its number, over the domain. Of a closed curve a function that
+/// reaches over the seam is one polyline for each side of it.
+[[nodiscard]] std::vector<Shape> basisPlot(const Curve& curve, int object, bool dark);
+
+/// B, B′ and B″: polylines over [0, 1] with `index` the order of the derivative.
+[[nodiscard]] std::vector<Shape> bFunctionPlot(const BFunction& blend, int object, bool dark);
+
+/// The knots as points, equal ones in a pile.
+[[nodiscard]] Shape knotLine(std::span<const double> knots, int object, std::string path,
+                             bool dark);
+
+}  // namespace knotwork::drawing
