@@ -16,10 +16,10 @@ record() { # record suite passed failed remark
 
 record_counts() { # record_counts suite passed failed exit-status
     set -- "$1" "${2:-0}" "${3:-0}" "$4"
-    if [ $(($2 + $3)) -eq 0 ]; then
-        record "$1" 0 1 "ran no tests"
-    elif [ "$4" -ne 0 ] && [ "$3" -eq 0 ]; then
+    if [ "$4" -ne 0 ] && [ "$3" -eq 0 ]; then
         record "$1" "$2" 1 "ended with status $4"
+    elif [ $(($2 + $3)) -eq 0 ]; then
+        record "$1" 0 1 "ran no tests"
     else
         record "$1" "$2" "$3"
     fi
