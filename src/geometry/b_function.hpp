@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -62,6 +63,8 @@ public:
     /// Hermite orders {at 0, at 1}: the largest s with B^(l) = 0 there for l = 1 … s; may be
     /// infinite.
     [[nodiscard]] std::array<double, 2> order() const noexcept;
+    /// The exponents {e0, e1} with B ~ t^e0 at 0 and 1 − B ~ (1−t)^e1 at 1; order() is ⌈e⌉ − 1.
+    [[nodiscard]] std::array<double, 2> powers() const noexcept;
     /// B(t) + B(1−t) = 1.
     [[nodiscard]] bool symmetric() const noexcept;
     /// Derivatives of every order exist on all of [0,1]; otherwise warning() says where they end.
@@ -82,16 +85,19 @@ public:
     friend bool operator==(const BFunction& a, const BFunction& b) noexcept;
 
 private:
-    friend struct BFunctionAccess;
     using Form = std::variant<b_function::Linear, b_function::Trigonometric, b_function::Polynomial,
                               b_function::Rational, b_function::ExpoRational, b_function::Logistic,
                               b_function::Tabulated, b_function::Dual, b_function::Symmetrised,
                               b_function::Composed, b_function::Mixed>;
 
+    BFunction(Form form, std::initializer_list<double> parameters) noexcept;
+    static Result<BFunction> nest(Form form, std::initializer_list<double> parameters,
+                                  std::span<const BFunction* const> operands);
+
     Form form_;  // alternatives in the order of BFamily
     std::array<double, 4> parameters_{};
-    int depth_ = 1;
-    int evaluations_ = 1;
+    int depth_ = 1;        // of nesting
+    int evaluations_ = 1;  // of families that one value takes
 };
 
 }  // namespace knotwork

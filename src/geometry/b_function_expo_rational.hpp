@@ -23,11 +23,15 @@ public:
     [[nodiscard]] std::array<double, 2> powers() const noexcept {
         return {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     }
-    [[nodiscard]] bool symmetric() const noexcept;
+    [[nodiscard]] bool symmetric() const noexcept { return gamma_ == 1 && lambda_ == 0.5; }
     /// φ has all derivatives at λ only if α(1+γ) is an even integer.
     [[nodiscard]] bool smooth() const noexcept;
 
 private:
+    double alpha_;
+    double beta_;
+    double gamma_;
+    double lambda_;
     std::shared_ptr<const ErbTable> table_;
 };
 

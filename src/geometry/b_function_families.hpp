@@ -9,6 +9,7 @@
 #include "geometry/b_function_expo_rational.hpp"
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <span>
@@ -23,6 +24,13 @@ namespace knotwork::b_function {
 
 using Powers = std::array<double, 2>;
 inline constexpr double infinitePower = std::numeric_limits<double>::infinity();
+
+/// Rows of B at 1−t become those of its dual, 1 − B(1−t), at t.
+inline void reflectRows(std::span<double> rows) noexcept {
+    if (rows.empty()) return;
+    rows[0] = 1 - rows[0];
+    for (std::size_t k = 2; k < rows.size(); k += 2) rows[k] = -rows[k];
+}
 
 struct Linear {
     [[nodiscard]] double value(double t) const noexcept { return t; }
@@ -89,7 +97,7 @@ public:
     explicit Tabulated(std::span<const double> values);
     [[nodiscard]] double value(double t) const noexcept;
     void derivatives(double t, std::span<double> rows) const noexcept;
-    [[nodiscard]] Powers powers() const noexcept;
+    [[nodiscard]] Powers powers() const noexcept { return powers_; }
     [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
     [[nodiscard]] std::span<const double> values() const noexcept { return *values_; }
 
@@ -99,6 +107,7 @@ private:
     };
     std::shared_ptr<const std::vector<double>> values_;
     std::shared_ptr<const std::vector<Cell>> cells_;
+    Powers powers_{};
     bool symmetric_ = false;
 };
 
