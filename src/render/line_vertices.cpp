@@ -8,9 +8,11 @@
 namespace knotwork::render {
 namespace {
 
-/// Points nearer to their predecessor than this do not change the picture but would make segments
-/// too short to have a direction in float. Device pixels.
-constexpr double thinning = 1.0 / 16;
+/// Points nearer to their predecessor than this do not change the picture, but cost a capsule each
+/// and make segments too short to have a direction in float. Device pixels.
+constexpr double thinning = 1.0 / 4;
+/// Lines that deviate less than this from upright or level are moved to whole pixels.
+constexpr double straightness = 1.0 / 16;
 
 Vec3 tripleAt(std::span<const double> positions, std::size_t i) {
     return {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]};
@@ -124,10 +126,10 @@ void LineVertices::segments(const Projection& projection, std::span<const double
         Vec3 a = projection.toPane(tripleAt(positions, i));
         Vec3 b = projection.toPane(tripleAt(positions, i + 1));
         if (!isFinite(a) || !isFinite(b)) continue;
-        if (style.crisp && std::abs(a.x - b.x) < thinning) {
+        if (style.crisp && std::abs(a.x - b.x) < straightness) {
             a.x = b.x = snapped(a.x, 0.5 * pane.width, whole.width);
         }
-        if (style.crisp && std::abs(a.y - b.y) < thinning) {
+        if (style.crisp && std::abs(a.y - b.y) < straightness) {
             a.y = b.y = snapped(a.y, 0.5 * pane.height, whole.width);
         }
         points_.clear();

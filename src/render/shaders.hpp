@@ -46,7 +46,8 @@ void main() {
 
 // Every pixel belongs to the nearest of neighbouring segments; were it blended once for each that
 // reaches it, joins would darken and the edges of finely divided curves would lose their
-// antialiasing. The wedge outside a join, equally far from both, belongs to the earlier one.
+// antialiasing. What is equally far from both (the wedge outside a join, the bisector inside) belongs
+// to the earlier one; `tie` is the rounding of distances of up to some tens of pixels.
 inline constexpr std::string_view lineFragmentShader = R"(#version 300 es
 precision highp float;
 uniform vec4 view;
@@ -69,10 +70,11 @@ void main() {
     vec2 own = nearest(p, ends.xy, ends.zw);
     bool hasBefore = arcs.z > 0.5;
     bool hasAfter = arcs.w > 0.5;
-    const float tie = 1e-3;
+    const float tie = 5e-5;
     if (hasBefore) {
         if (own.x <= 0.0) discard;
-        if (own.x < 1.0 && nearest(p, neighbours.xy, ends.xy).y < own.y - tie) discard;
+        vec2 earlier = nearest(p, neighbours.xy, ends.xy);
+        if (earlier.x < 1.0 && earlier.y < own.y + tie) discard;
     }
     if (hasAfter) {
         if (own.x >= 1.0 && dot(p - ends.zw, neighbours.zw - ends.zw) > 0.0) discard;
