@@ -20,7 +20,7 @@ const layout = `
 }
 .frame[data-theme="dark"] { ${tokens.dark} }
 .stage { grid-area: stage; position: relative; min-height: 12rem; aspect-ratio: 16 / 9;
-    height: var(--knotwork-height, auto); }
+    width: 100%; height: var(--knotwork-height, auto); }
 .view {
     position: absolute;
     inset: 0;
@@ -104,7 +104,7 @@ const toolbar = `
 .button[aria-disabled="true"] { color: var(--edge); cursor: default; background: transparent; }
 .button:is([aria-pressed="true"], [aria-expanded="true"]) { background: var(--wash); color: var(--accent); }
 .button .caption { padding-inline-end: 0.375rem; }
-.button.values { padding-inline: 0.5rem 0.25rem; }
+.button.captioned { padding-inline: 0.5rem 0.25rem; }
 .icon { width: 20px; height: 20px; flex: none; fill: none; stroke: currentColor; stroke-width: 1.6;
     stroke-linecap: round; stroke-linejoin: round; }
 :is(button, input, select, summary):focus-visible {
@@ -194,7 +194,7 @@ td:last-child { width: 32px; }
 .adding label { flex: none; }
 .adding input { width: 5.5rem; }
 .quiet-button { min-height: 28px; padding: 0.125rem 0.75rem; border: 1px solid var(--edge);
-    border-radius: 6px; background: transparent; color: var(--ink); font: inherit; cursor: pointer; }
+    border-radius: 6px; background: transparent; color: var(--ink); font: inherit; cursor: pointer; white-space: nowrap; }
 .quiet-button:hover { background: var(--raised); }
 .readout { margin: 0.5rem 0 0; display: grid; grid-template-columns: minmax(6.5rem, 2fr) minmax(0, 3fr);
     gap: 0.125rem 0.75rem; }

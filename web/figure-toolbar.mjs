@@ -89,7 +89,7 @@ export class FigureToolbar {
     #add(name, act) {
         const label = this.words.text(name);
         const button = el('button', {
-            class: `button ${name}`,
+            class: name === 'values' ? 'button captioned' : 'button',
             attributes: { type: 'button', title: label, 'aria-label': label },
             on: { click: act },
         }, icon(icons[name]));

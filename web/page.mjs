@@ -85,6 +85,7 @@ class Page {
             const here = link.hash === `#${name}`;
             if (here) link.setAttribute('aria-current', 'true');
             else link.removeAttribute('aria-current');
+            if (here) byId('scenes').scrollLeft = link.offsetLeft - byId('scenes').offsetLeft - 16;
         }
     }
 

@@ -74,7 +74,7 @@ export function shapeSentence(words, object, label) {
 
 /** @param {import('./words.mjs').Words} words @param {string} form */
 function formText(words, form) {
-    return words.text(form === 'closed' ? 'shape.closed' : 'shape.open');
+    return words.text(`shape.${form}`);
 }
 
 /** @param {any} points a list of points, or a flat one of triples */
