@@ -1,5 +1,8 @@
 # Dear ImGui's own font has no Greek letters, superscripts or accents: a subset of DejaVu Sans is
 # cut at build time and becomes an array in <build tree>/generated/ui_font.hpp.
+if(DEFINED ENV{KNOTWORK_UI_FONT})
+    set(KNOTWORK_UI_FONT "$ENV{KNOTWORK_UI_FONT}" CACHE FILEPATH "")
+endif()
 find_file(KNOTWORK_UI_FONT NAMES DejaVuSans.ttf
     PATHS /usr/share/fonts /usr/local/share/fonts
     PATH_SUFFIXES truetype/dejavu truetype/ttf-dejavu dejavu TTF dejavu-sans-fonts

@@ -12,8 +12,14 @@ first_file() { # first_file path...: is one of them there?
 have_header() { first_file "/usr/local/include/$1" "/usr/include/$1" "/opt/homebrew/include/$1"; }
 
 have_font() {
-    first_file /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf /usr/share/fonts/dejavu/DejaVuSans.ttf \
-        /usr/share/fonts/TTF/DejaVuSans.ttf /usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf
+    folder=/usr/share/fonts
+    first_file "${KNOTWORK_UI_FONT:-$folder/truetype/dejavu/DejaVuSans.ttf}" \
+        $folder/dejavu/DejaVuSans.ttf $folder/TTF/DejaVuSans.ttf \
+        $folder/dejavu-sans-fonts/DejaVuSans.ttf
+}
+
+have_imgui() { # apt also supplies these sources: tools/fetch-imgui.sh
+    [ -n "${KNOTWORK_IMGUI_DIR:-}" ] || command -v apt-get || test -e build/third-party/imgui/imgui.h
 }
 
 have_chromium() {
@@ -32,7 +38,8 @@ npm|command -v npm|npm in PATH
 libglm-dev|have_header glm/glm.hpp|glm/glm.hpp in /usr/include or /usr/local/include
 nlohmann-json3-dev|have_header nlohmann/json.hpp|nlohmann/json.hpp in /usr/include or /usr/local/include
 fonttools|command -v fonttools|fonttools in PATH
-fonts-dejavu-core|have_font|DejaVuSans.ttf in /usr/share/fonts
+fonts-dejavu-core|have_font|DejaVuSans.ttf in /usr/share/fonts, or a font named in KNOTWORK_UI_FONT
+imgui|have_imgui|the sources of Dear ImGui (1.90 or newer), their folder named in KNOTWORK_IMGUI_DIR
 xz-utils|command -v xz|xz in PATH
 ca-certificates|test -e /etc/ssl|certificates in /etc/ssl
 LIST
