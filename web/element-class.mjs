@@ -74,6 +74,13 @@ export class KnotworkFigure extends Base {
         return this.#figure?.scene;
     }
 
+    /** What the figures of this page hold and have done: views, GL objects, frames, pictures. */
+    static async stats() {
+        const stage = await sharedStage();
+        const held = stage.kw.session.held();
+        return { ...JSON.parse(stage.app.stats()), pictures: stage.painted, held };
+    }
+
     /** What is selected in the picture, or null. */
     get selection() {
         return this.#figure?.selection ?? null;

@@ -60,8 +60,8 @@ export class FigureInput {
         if (kind === 'down' && event.pointerType === 'mouse' && event.button > 1) return;
         const { app, id } = this.target;
         const { x, y } = this.#place(event);
+        if (kind === 'down') app.focus(id);  // before the press, which a change of focus would end
         const taken = app.pointer(id, kind, x, y, event.buttons, modifiersOf(event), event.pointerType);
-        if (kind === 'down') app.focus(id);
         if (kind === 'down' && taken) this.wrapper.setPointerCapture(event.pointerId);
         this.wrapper.style.cursor = app.cursor(id) || 'default';
         this.target.acted();

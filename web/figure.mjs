@@ -397,10 +397,24 @@ export class Figure {
         const command = event.ctrlKey || event.metaKey;
         const key = event.key.toLowerCase();
         if (key === ' ' && this.#moves) this.setPlaying(!this.playing);
+        else if (key === 'pagedown' || key === 'pageup') return this.#selectFirst();
         else if (command && key === 'z' && !event.shiftKey) this.undo();
         else if (command && (key === 'y' || key === 'z')) this.redo();
         else return false;
         return true;
+    }
+
+    /** The first thing that can be taken hold of, where nothing is selected yet. */
+    #selectFirst() {
+        if (this.selection || !this.#scene || !this.#stage) return false;
+        const { app } = this.#stage;
+        for (const k of this.#scene.document.objects.keys()) {
+            for (const list of ['points', 'poses']) {
+                app.select(this.view.id, `objects[${k}].${list}[0]`);
+                if (this.selection) return true;
+            }
+        }
+        return false;
     }
 
     /** @param {string} reason */

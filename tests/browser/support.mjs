@@ -1,0 +1,178 @@
+// What the browser tests share: a server of the delivered files, a browser, and pages that keep a
+// record of everything that they should not have said.
+import assert from 'node:assert/strict';
+import { access } from 'node:fs/promises';
+import { after, before } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import { chromium } from 'playwright-core';
+
+import { serve } from '../../tools/serve.mjs';
+
+const directory = process.env.KNOTWORK_DIST ?? fileURLToPath(new URL('../../dist/', import.meta.url));
+const browsers = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
+const browserFlags = [
+    '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+    '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run',
+    '--force-color-profile=srgb', '--hide-scrollbars',
+];
+const policy = "script-src 'self' 'wasm-unsafe-eval'; style-src 'self'";
+
+async function browserPath() {
+    for (const path of [process.env.KNOTWORK_CHROMIUM, ...browsers]) {
+        if (path && await access(path).then(() => true, () => false)) return path;
+    }
+    throw new Error(`No browser: install Debian's package chromium, or name one in KNOTWORK_CHROMIUM.`);
+}
+
+/** Starts server and browser for the tests of one file, and stops them after the last. */
+export function useBrowser() {
+    const running = {};
+    before(async () => {
+        running.server = await serve({ directory });
+        running.browser = await chromium.launch({ executablePath: await browserPath(), args: browserFlags });
+    });
+    after(async () => {
+        await running.browser?.close();
+        await running.server?.close();
+    });
+    return running;
+}
+
+/** Runs in every page before its own scripts: counts what a quiet page does not do. */
+function observe() {
+    const counts = { frames: 0, copies: 0, contexts: [], violations: [] };
+    globalThis.observed = counts;
+    document.addEventListener('securitypolicyviolation', (event) => {
+        counts.violations.push(`${event.violatedDirective} ${event.blockedURI} ${event.sample}`);
+    });
+    const { requestAnimationFrame } = globalThis;
+    globalThis.requestAnimationFrame = (callback) => {
+        counts.frames += 1;
+        return requestAnimationFrame(callback);
+    };
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function observed(kind, ...rest) {
+        const context = getContext.call(this, kind, ...rest);
+        if (kind !== '2d') counts.contexts.push(context);
+        return context;
+    };
+    const { drawImage, fillText } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.drawImage = function observed(...args) {
+        counts.copies += 1;
+        return drawImage.apply(this, args);
+    };
+    CanvasRenderingContext2D.prototype.fillText = function observed(...args) {
+        if (!globalThis.withoutLabels) fillText.apply(this, args);
+    };
+}
+
+/**
+ * A page at rest: reduced motion, one device pixel a CSS pixel, light, English, unless told otherwise.
+ * @param {{ server: { url: string }, browser: import('playwright-core').Browser }} running
+ * @param {string} path
+ * @param {object} [options] of the browser's context; `html` makes `path` a page of this markup,
+ *     `css` its style sheet
+ */
+export async function openPage({ server, browser }, path = '', { html, css = '', ...options } = {}) {
+    const context = await browser.newContext({
+        viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce', colorScheme: 'light',
+        locale: 'en-GB', ...options,
+    });
+    const page = await context.newPage();
+    const said = [];
+    page.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));
+    page.on('pageerror', (error) => said.push(`error: ${error.stack ?? error}`));
+    page.on('requestfailed', (request) => said.push(`failed: ${request.url()}`));
+    page.on('response', (response) => {
+        if (response.status() >= 400) said.push(`${response.status()}: ${response.url()}`);
+    });
+    await page.addInitScript(observe);
+    if (html !== undefined) await servePage(page, path, html, css);
+    await page.goto(server.url + path);
+    return { page, context, said };
+}
+
+async function servePage(page, path, html, css) {
+    const body = `<!doctype html><html lang="en"><head><title>Test</title><link rel="icon" href="favicon.svg">
+        <link rel="stylesheet" href="test.css"><script type="module" src="element.mjs"></script></head>
+        <body>${html}</body></html>`;
+    await page.route(`**/${path}`, (route) => route.fulfill({
+        body, contentType: 'text/html; charset=utf-8', headers: { 'Content-Security-Policy': policy },
+    }));
+    await page.route('**/test.css', (route) => route.fulfill({ body: css, contentType: 'text/css' }));
+}
+
+/** Waits until this figure has its first picture. */
+export async function figureReady(page, selector = 'knotwork-figure') {
+    await page.waitForFunction((name) => document.querySelector(name)?.scene, selector);
+    await page.evaluate(async (name) => {
+        await document.querySelector(name).ready;
+        await new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); });
+    }, selector);
+}
+
+/** The canonical document of a figure. */
+export const documentOf = (page, selector = 'knotwork-figure') =>
+    page.evaluate((name) => document.querySelector(name).value, selector);
+
+/** The figure's picture as bytes of a PNG. */
+export async function pictureOf(page, selector = 'knotwork-figure') {
+    const url = await page.evaluate((name) =>
+        document.querySelector(name).shadowRoot.querySelector('canvas').toDataURL(), selector);
+    return Buffer.from(url.slice(url.indexOf(',') + 1), 'base64');
+}
+
+/** Fails with everything that the page said on the console or to its policy. */
+export async function assertSilent({ page, said }) {
+    const violations = await page.evaluate(() => globalThis.observed.violations);
+    assert.deepEqual([...said, ...violations], []);
+}
+
+/**
+ * Places (in CSS pixels of the page) where the pointer would take hold of something, found as a hand
+ * finds them: by moving over the picture and looking at the cursor. Neighbouring ones are one place.
+ */
+export function handlesOf(page, selector = 'knotwork-figure', step = 4) {
+    return page.evaluate(([name, distance]) => {
+        const view = document.querySelector(name).shadowRoot.querySelector('.view');
+        const box = view.getBoundingClientRect();
+        const cursorAt = (x, y) => {
+            view.dispatchEvent(new PointerEvent('pointermove', {
+                clientX: x, clientY: y, pointerType: 'mouse', pointerId: 1, bubbles: true,
+            }));
+            return view.style.cursor;
+        };
+        const empty = cursorAt(box.left + 3, box.top + box.height / 2);
+        const groups = [];
+        for (let y = box.top + 2; y < box.bottom; y += distance) {
+            for (let x = box.left + 2; x < box.right; x += distance) {
+                const cursor = cursorAt(x, y);
+                if (cursor === empty) continue;
+                const group = groups.find((g) => g.cursor === cursor &&
+                    g.places.some(([px, py]) => Math.hypot(px - x, py - y) < 2.5 * distance));
+                if (group) group.places.push([x, y]);
+                else groups.push({ cursor, places: [[x, y]] });
+            }
+        }
+        view.dispatchEvent(new PointerEvent('pointerleave', { pointerType: 'mouse', pointerId: 1 }));
+        const mean = (list) => list.reduce((sum, value) => sum + value, 0) / list.length;
+        return groups.map(({ cursor, places }) => ({
+            cursor, x: mean(places.map(([x]) => x)), y: mean(places.map(([, y]) => y)), size: places.length,
+        }));
+    }, [selector, step]);
+}
+
+/** Drags with the real mouse, in steps as a hand would. */
+export async function drag(page, from, to) {
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move((from.x + to.x) / 2, (from.y + to.y) / 2, { steps: 4 });
+    await page.mouse.move(to.x, to.y, { steps: 4 });
+    await page.mouse.up();
+    await page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+}
+
+/** Waits for the next two frames of the browser. */
+export const settle = (page) => page.evaluate(() =>
+    new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
