@@ -24,9 +24,9 @@ using Homogeneous = glm::dvec4;  // (w x, w y, w z, w)
 
 MaybeError checkLength(std::size_t given, int needed, const char* path) {
     if (given == static_cast<std::size_t>(needed)) return {};
-    return refuse(Code::wrongLength, path,
-                  std::to_string(given) + ' ' + path + " given, " + std::to_string(needed) +
-                      " needed");
+    return refuse(
+        Code::wrongLength, path,
+        std::to_string(given) + ' ' + path + " given, " + std::to_string(needed) + " needed");
 }
 
 MaybeError checkPoint(const Vec3& point, std::size_t index, int dimension) {
@@ -54,9 +54,9 @@ MaybeError checkWeight(double weight, std::size_t index) {
                       formatNumber(weight) + " is not a finite weight");
     }
     if (weight < smallestWeight || weight > largestWeight) {
-        return refuse(Code::outOfRange, indexed("weights", index),
-                      formatNumber(weight) +
-                          " is out of range; weights are positive, from 1e-9 to 1e9");
+        return refuse(
+            Code::outOfRange, indexed("weights", index),
+            formatNumber(weight) + " is out of range; weights are positive, from 1e-9 to 1e9");
     }
     return {};
 }
@@ -112,8 +112,8 @@ Vec3 BsplineCurve::point(double t) const noexcept {
         const std::size_t i = knots_.pointIndex(span, j);
         active[j] = Homogeneous(weights_[i] * points_[i], weights_[i]);
     }
-    const Homogeneous lifted = kernels::deBoor(knots_.extended(), degree, span, inside,
-                                               std::span<Homogeneous>(active));
+    const Homogeneous lifted =
+        kernels::deBoor(knots_.extended(), degree, span, inside, std::span<Homogeneous>(active));
     return Vec3(lifted) / lifted.w;
 }
 

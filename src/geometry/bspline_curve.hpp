@@ -17,8 +17,7 @@ public:
     /// weights at all); NOT_FINITE and OUT_OF_RANGE `points[i]` (|coordinate| ≤ 1e12) and
     /// `weights[i]` (1e-9 … 1e9); OUT_OF_RANGE `dimension` (2 or 3; z must be 0 for 2).
     [[nodiscard]] static Result<BsplineCurve> make(KnotVector knots, std::vector<Vec3> points,
-                                                   int dimension,
-                                                   std::vector<double> weights = {});
+                                                   int dimension, std::vector<double> weights = {});
 
     [[nodiscard]] const KnotVector& knotVector() const noexcept { return knots_; }
     [[nodiscard]] std::span<const Vec3> points() const noexcept { return points_; }

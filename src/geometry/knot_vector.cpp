@@ -40,8 +40,8 @@ MaybeError checkSizes(int degree, int pointCount) {
     if (pointCount <= degree) {
         return refuse(Code::wrongLength, "points",
                       std::to_string(pointCount) + " points are too few for degree " +
-                          std::to_string(degree) + "; give at least " +
-                          std::to_string(degree + 1) + " or lower the degree");
+                          std::to_string(degree) + "; give at least " + std::to_string(degree + 1) +
+                          " or lower the degree");
     }
     return {};
 }
@@ -51,8 +51,8 @@ MaybeError checkCount(std::size_t given, int degree, int pointCount, Form form) 
     if (given == needed) return {};
     const char* rule = form == Form::closed ? "points + 1, one period" : "points + degree + 1";
     return refuse(Code::knotsCount, "knots",
-                  std::to_string(given) + " knots given, " + std::to_string(needed) +
-                      " needed (" + rule + ")");
+                  std::to_string(given) + " knots given, " + std::to_string(needed) + " needed (" +
+                      rule + ")");
 }
 
 MaybeError checkValues(std::span<const double> knots) {
@@ -102,14 +102,14 @@ MaybeError checkMultiplicity(std::span<const double> knots, int degree, bool clo
 
 MaybeError checkClampedEnds(std::span<const double> knots, int degree) {
     const auto d = static_cast<std::size_t>(degree);
-    const std::string rule = "; a clamped curve begins and ends with degree + 1 = " +
-                             std::to_string(degree + 1) +
-                             " equal knots: repeat the end knot or use the form 'open'";
+    const std::string rule =
+        "; a clamped curve begins and ends with degree + 1 = " + std::to_string(degree + 1) +
+        " equal knots: repeat the end knot or use the form 'open'";
     for (std::size_t i = 1; i <= d; ++i) {
         if (knots[i] != knots[0]) {
-            return refuseKnot(Code::knotsMultiplicity, i,
-                              formatNumber(knots[i]) + " is not the first knot " +
-                                  formatNumber(knots[0]) + rule);
+            return refuseKnot(
+                Code::knotsMultiplicity, i,
+                formatNumber(knots[i]) + " is not the first knot " + formatNumber(knots[0]) + rule);
         }
     }
     for (std::size_t i = knots.size() - d - 1; i + 1 < knots.size(); ++i) {

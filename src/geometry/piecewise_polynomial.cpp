@@ -35,7 +35,9 @@ BsplineSampler::BsplineSampler(const BsplineCurve& curve)
       startPoint_(curve.point(domain_.start)),
       endPoint_(curve.point(domain_.end)),
       degree_(static_cast<std::size_t>(curve.degree())),
-      components_(curve.rational() ? 4 : curve.dimension() == 2 ? 2 : 3),
+      components_(curve.rational()         ? 4
+                  : curve.dimension() == 2 ? 2
+                                           : 3),
       // Weights may differ by 18 orders of magnitude: only sums of positive terms stand that.
       bernstein_(curve.rational() || degree_ > maxPowerDegree),
       closed_(curve.closed()) {
@@ -130,8 +132,7 @@ void fillUniform(Block& us, std::size_t count, const Interval& domain, std::size
     const simd::Double2 from = simd::splat(origin);
     const simd::Double2 by = simd::splat(scale);
     const simd::Double2 two = simd::splat(2);
-    const std::array<double, 2> indices{static_cast<double>(first),
-                                        static_cast<double>(first + 1)};
+    const std::array<double, 2> indices{static_cast<double>(first), static_cast<double>(first + 1)};
     simd::Double2 index = simd::load(indices.data());
     for (std::size_t k = 0; k < count; k += 2) {
         const simd::Double2 t = start + length * index / intervals;
@@ -254,8 +255,7 @@ void rationalPoint(Coefficients b, std::size_t degree, double scale, double u, s
 }  // namespace
 
 void BsplineSampler::rationalRows(std::size_t piece, const double* us, std::size_t count,
-                                  int derivatives, std::size_t stride,
-                                  double* xyz) const noexcept {
+                                  int derivatives, std::size_t stride, double* xyz) const noexcept {
     const Terms terms = termsOf(piece);
     const auto rowCount = static_cast<std::size_t>(derivatives) + 1;
     for (std::size_t point = 0; point < count; ++point) {

@@ -40,8 +40,8 @@ void storePair(double* to, const Pair<Components>& sum) noexcept {
     }
 }
 
-// Horner's rule. Two pairs at a time hide the latency of the chain of products. Fixed is the degree where it is
-// known to the compiler, else 0.
+// Horner's rule. Two pairs at a time hide the latency of the chain of products. Fixed is the degree
+// where it is known to the compiler, else 0.
 template <std::size_t Components, std::size_t Fixed>
 void hornerFour(const double* c, std::size_t degree, const double* u, double* xyz) noexcept {
     const std::size_t d = Fixed > 0 ? Fixed : degree;
@@ -106,10 +106,14 @@ template <std::size_t Components>
 void powerBlock(const double* c, std::size_t degree, const double* us, std::size_t count,
                 double* xyz) noexcept {
     switch (degree) {
-        case 1: return hornerBlock<Components, 1>(c, degree, us, count, xyz);
-        case 2: return hornerBlock<Components, 2>(c, degree, us, count, xyz);
-        case 3: return hornerBlock<Components, 3>(c, degree, us, count, xyz);
-        default: return hornerBlock<Components, 0>(c, degree, us, count, xyz);
+        case 1:
+            return hornerBlock<Components, 1>(c, degree, us, count, xyz);
+        case 2:
+            return hornerBlock<Components, 2>(c, degree, us, count, xyz);
+        case 3:
+            return hornerBlock<Components, 3>(c, degree, us, count, xyz);
+        default:
+            return hornerBlock<Components, 0>(c, degree, us, count, xyz);
     }
 }
 

@@ -94,8 +94,8 @@ private:
 void blendPair(Coefficients& points, std::size_t components, std::size_t from, std::size_t to,
                double w) noexcept {
     for (std::size_t i = 0; i < components; ++i) {
-        points[to * components + i] = (1 - w) * points[from * components + i] +
-                                      w * points[(from + 1) * components + i];
+        points[to * components + i] =
+            (1 - w) * points[from * components + i] + w * points[(from + 1) * components + i];
     }
 }
 

@@ -9,8 +9,9 @@
 namespace knotwork {
 
 inline constexpr std::size_t maxTerms = maxDegree + 1;
-/// Beyond it the power form loses more than 1e-13.
-inline constexpr std::size_t maxPowerDegree = 9;
+/// Beyond it the power form costs more than 1e-13 of coordinates up to 20 (degree 9: 3e-13), where
+/// Bernstein's costs 4e-14 and takes 1.4 times as long.
+inline constexpr std::size_t maxPowerDegree = 7;
 
 /// Term k, axis i at [k · components + i]. Components are x, y; or x, y, z; or, where there are
 /// four, w x, w y, w z, w.

@@ -64,8 +64,8 @@ std::vector<Homogeneous> insertedPeriod(std::span<const double> knots, std::size
     return refined;
 }
 
-std::vector<Homogeneous> insertedOnce(const KnotVector& knots,
-                                      std::span<const Homogeneous> points, double t) {
+std::vector<Homogeneous> insertedOnce(const KnotVector& knots, std::span<const Homogeneous> points,
+                                      double t) {
     const auto all = knots.extended();
     const auto degree = static_cast<std::size_t>(knots.degree());
     const auto after = std::upper_bound(all.begin(), all.end(), t) - all.begin();
