@@ -123,6 +123,11 @@ input[type="range"]::-webkit-slider-thumb { appearance: none; -webkit-appearance
 input[type="range"]::-moz-range-thumb { width: 12px; height: 12px; border-radius: 50%;
     border: 2px solid var(--ground); background: var(--accent); box-shadow: 0 0 0 1px var(--accent); }
 input[type="range"]:disabled { opacity: 0.5; cursor: default; }
+@container (max-width: 32rem) {
+    .motion { flex-basis: 100%; max-width: none; }
+    .spring { display: none; }
+    .button.captioned { margin-inline-start: auto; }
+}
 @media (pointer: coarse) {
     .button { min-width: 44px; min-height: 44px; }
     input[type="range"] { height: 44px; }
@@ -186,7 +191,7 @@ td { padding: 2px; }
 td:first-child, th:first-child { width: 2.25rem; padding-inline-start: 0; color: var(--quiet);
     font-variant-numeric: tabular-nums; text-align: end; padding-inline-end: 0.5rem; font-weight: 400;
     font-size: 0.8125rem; }
-td:last-child { width: 32px; }
+td.removal { width: 32px; }
 .small { min-width: 28px; min-height: 28px; padding: 0; }
 .small .icon { width: 16px; height: 16px; }
 .small:not(:hover) { color: var(--quiet); }
@@ -204,7 +209,7 @@ td:last-child { width: 32px; }
     input[type="text"], select, .small, .quiet-button, .flag, details.list > summary,
     input[type="color"] { min-height: 44px; }
     .small { min-width: 44px; }
-    td:last-child { width: 48px; }
+    td.removal { width: 48px; }
 }
 `;
 

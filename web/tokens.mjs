@@ -1,34 +1,34 @@
 // Colours and measures that figure and page share, as custom properties of CSS.
 //
-// Neutral greys with a little blue, one accent; every pair of text and ground has a contrast of
+// Those of the picture itself (src/ui/theme.cpp). Neutral greys with a little blue, one accent; every pair of text and ground has a contrast of
 // 4.5 to 1 or more, controls 3 to 1.
 
 const light = `
     color-scheme: light;
-    --ground: #ffffff;
-    --raised: #f5f6f8;
-    --line: #dde0e6;
-    --edge: #858c99;
-    --ink: #1b1f27;
-    --quiet: #565d6b;
-    --accent: #2458c5;
+    --ground: #fcfcfe;
+    --raised: #f0f2f7;
+    --line: #dce0e9;
+    --edge: #7b8598;
+    --ink: #1b2130;
+    --quiet: #525c70;
+    --accent: #2f5fd0;
     --on-accent: #ffffff;
-    --wash: #e9effb;
+    --wash: #e7edfb;
     --bad: #b3261e;
     --bad-wash: #fcecea;`;
 
 const dark = `
     color-scheme: dark;
-    --ground: #14161b;
-    --raised: #1c1f26;
-    --line: #30343d;
-    --edge: #7a8190;
-    --ink: #e8eaef;
-    --quiet: #a3a9b6;
-    --accent: #8fb1ff;
-    --on-accent: #10131a;
-    --wash: #243049;
-    --bad: #ff9d94;
-    --bad-wash: #3a2220;`;
+    --ground: #12151b;
+    --raised: #1b2029;
+    --line: #2b323e;
+    --edge: #76829a;
+    --ink: #e7eaf0;
+    --quiet: #a0abbd;
+    --accent: #86aaff;
+    --on-accent: #0d1320;
+    --wash: #222d45;
+    --bad: #ff8f86;
+    --bad-wash: #38211f;`;
 
 export const tokens = { light, dark };

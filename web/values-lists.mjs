@@ -194,6 +194,7 @@ class ListTable {
             const numbers = this.kind.numbers(element);
             this.#rows[k].inputs.forEach((input, c) => input.show(numbers[c] ?? 0));
         });
+        this.table.hidden = this.#list.length === 0;
         setText(this.#count, String(this.#list.length));
         this.#suggest();
     }
@@ -235,7 +236,7 @@ class ListTable {
                 this.kind.edit(this.address, k, this.#list[k], c, value));
         });
         const cells = inputs.map((input) => el('td', {}, input.element));
-        if (this.#removable) cells.push(el('td', {}, this.#removeButton(k, row)));
+        if (this.#removable) cells.push(el('td', { class: 'removal' }, this.#removeButton(k, row)));
         this.#rows.push({ inputs });
         this.#body.append(el('tr', {}, el('th', { text: row, attributes: { scope: 'row' } }), ...cells));
     }
