@@ -33,40 +33,37 @@ double loopPeriod(std::span<const double> periods) noexcept {
     return longest;
 }
 
-void Clock::anchorAt(double now) noexcept {
-    anchorPhase_ = phase(now);
-    anchorTime_ = now;
-}
-
-void Clock::setPeriod(double period, double now) noexcept {
+void Clock::setPeriod(double period) noexcept {
     if (period == period_) return;
-    anchorAt(now);
     period_ = std::max(0.0, period);
+    anchored_ = false;
 }
 
-void Clock::play(double now) noexcept {
-    anchorAt(now);
-    playing_ = true;
+void Clock::setPlaying(bool playing) noexcept {
+    if (playing == playing_) return;
+    playing_ = playing;
+    anchored_ = false;
 }
 
-void Clock::pause(double now) noexcept {
-    anchorAt(now);
-    playing_ = false;
-}
-
-void Clock::hold(bool held, double now) noexcept {
-    anchorAt(now);
+void Clock::hold(bool held) noexcept {
+    if (held == held_) return;
     held_ = held;
+    anchored_ = false;
 }
 
-void Clock::setPhase(double phase, double now) noexcept {
-    anchorPhase_ = std::isfinite(phase) ? fraction(phase) : 0;
-    anchorTime_ = now;
+void Clock::setPhase(double phase) noexcept {
+    phase_ = std::isfinite(phase) ? fraction(phase) : 0;
+    anchored_ = false;
 }
 
-double Clock::phase(double now) const noexcept {
-    if (!running()) return anchorPhase_;
-    return fraction(anchorPhase_ + (now - anchorTime_) / period_);
+void Clock::advance(double now) noexcept {
+    if (!running()) return;
+    if (!anchored_) {
+        anchorTime_ = now;
+        anchorPhase_ = phase_;
+        anchored_ = true;
+    }
+    phase_ = fraction(anchorPhase_ + (now - anchorTime_) / period_);
 }
 
 }  // namespace knotwork::app

@@ -1,7 +1,9 @@
 // The clock of an animation: absolute page time to a phase in [0, 1).
 //
 // Nothing is accumulated: while it plays, the phase is that of an anchor and the time since then,
-// so a day of playing is as exact as the first second.
+// so a day of playing is as exact as the first second. Whatever changes the run of the clock takes
+// effect at the phase that was last shown and goes on from the next time it is told, so the
+// animation never jumps, however long nobody asked.
 #pragma once
 
 #include <span>
@@ -15,25 +17,26 @@ namespace knotwork::app {
 class Clock {
 public:
     /// Seconds of one loop; 0 stops the clock for good. The phase stays.
-    void setPeriod(double period, double now) noexcept;
+    void setPeriod(double period) noexcept;
     [[nodiscard]] double period() const noexcept { return period_; }
 
-    void play(double now) noexcept;
-    void pause(double now) noexcept;
+    void setPlaying(bool playing) noexcept;
     [[nodiscard]] bool playing() const noexcept { return playing_; }
-    /// While held (during a drag) a playing clock stands still, and goes on from there.
-    void hold(bool held, double now) noexcept;
+    /// While held (during a drag) a playing clock stands still.
+    void hold(bool held) noexcept;
     [[nodiscard]] bool running() const noexcept { return playing_ && !held_ && period_ > 0; }
 
-    void setPhase(double phase, double now) noexcept;
-    [[nodiscard]] double phase(double now) const noexcept;
+    void setPhase(double phase) noexcept;
+    [[nodiscard]] double phase() const noexcept { return phase_; }
+    /// Tells the time, in seconds.
+    void advance(double now) noexcept;
 
 private:
-    void anchorAt(double now) noexcept;
-
     double period_ = 0;
+    double phase_ = 0;
     double anchorTime_ = 0;
     double anchorPhase_ = 0;
+    bool anchored_ = false;  ///< whether the clock has run since it was last changed
     bool playing_ = false;
     bool held_ = false;
 };

@@ -1,0 +1,188 @@
+#include "app/emphasis.hpp"
+
+#include "ui/theme.hpp"
+
+#include <algorithm>
+
+namespace knotwork::app {
+
+namespace {
+
+constexpr double hoverStrength = 0.6;
+constexpr std::size_t stretchPoints = 129;
+
+/// The element that basis function `index` of this shape belongs to stands out.
+bool isPointedAt(const Shape& shape, const Emphasis& emphasis) noexcept {
+    if (shape.object == emphasis.basisObject && shape.index == emphasis.basisIndex) return true;
+    const auto belongs = [&](const std::optional<Target>& target) {
+        return target && target->kind != TargetKind::knot && target->object == shape.object &&
+               static_cast<int>(target->index) == shape.index;
+    };
+    return emphasis.hovered ? belongs(emphasis.hovered) : belongs(emphasis.selected);
+}
+
+bool anyElement(const Emphasis& emphasis, int object) noexcept {
+    const auto of = [object](const std::optional<Target>& target) {
+        return target && target->kind != TargetKind::knot && target->object == object;
+    };
+    return emphasis.basisObject == object || of(emphasis.hovered) || of(emphasis.selected);
+}
+
+void markElements(Painted& result, const Emphasis& emphasis) {
+    const Shape& shape = *result.shape;
+    const auto kind = kindOfList(shape.path);
+    if (!kind || shape.kind != drawing::Kind::points) return;
+    if (emphasis.selected && emphasis.selected->list == shape.path) {
+        result.marks.push_back({emphasis.selected->index, 1});
+    }
+    if (emphasis.hovered && emphasis.hovered->list == shape.path) {
+        result.marks.push_back({emphasis.hovered->index, hoverStrength});
+    }
+    if (kind != TargetKind::knot && shape.object == emphasis.basisObject) {
+        result.marks.push_back({static_cast<std::size_t>(emphasis.basisIndex), hoverStrength});
+    }
+}
+
+/// Object and index of the element whose part of the curve is shown.
+std::optional<std::pair<int, std::size_t>> ruler(const Emphasis& emphasis) noexcept {
+    if (emphasis.basisObject >= 0) {
+        return std::pair{emphasis.basisObject, static_cast<std::size_t>(emphasis.basisIndex)};
+    }
+    const auto& target = emphasis.hovered ? emphasis.hovered : emphasis.selected;
+    if (!target || target->kind == TargetKind::knot) return std::nullopt;
+    return std::pair{target->object, target->index};
+}
+
+const scene::Placed* placedOf(const std::vector<scene::Placed>& placed,
+                              const scene::State& state, int object) noexcept {
+    if (object < 0 || static_cast<std::size_t>(object) >= state.objects.size()) return nullptr;
+    const scene::Object* wanted = state.objects[static_cast<std::size_t>(object)].get();
+    for (const scene::Placed& one : placed) {
+        if (one.object == wanted) return &one;
+    }
+    return nullptr;
+}
+
+Shape dotAt(const Vec3& p, const scene::Colour& colour) {
+    Shape dot;
+    dot.object = -1;
+    dot.role = drawing::Role::trace;
+    dot.kind = drawing::Kind::points;
+    dot.positions = {p.x, p.y, p.z};
+    dot.colour = colour;
+    dot.width = 9;
+    return dot;
+}
+
+const ui::Theme& coloursOf(const FigureRequest& request) noexcept {
+    return ui::theme(request.dark ? ui::ThemeName::dark : ui::ThemeName::light);
+}
+
+void addParameterLine(PaneFigure& pane, double t, bool named, const ui::Theme& colours) {
+    ui::Lines line{{}, colours.accent, 1.25};
+    ui::addVertical(line, pane.plot, t);
+    pane.plot.over.push_back(std::move(line));
+    if (!named) return;
+    const bool left = pane.plot.map.pixelX(t) > pane.plot.area.centre().x;
+    pane.plot.labels.push_back({"t = " + ui::numberText(t, 3),
+                                {pane.plot.map.pixelX(t) + (left ? -6 : 6), pane.plot.area.y - 2},
+                                left ? ui::Align::right : ui::Align::left, ui::Baseline::middle,
+                                11, true, colours.accent});
+}
+
+bool onCurve(const Emphasis& emphasis) noexcept {
+    return emphasis.parameterPane != Pane::bFunction;
+}
+
+void addParameterLines(Figure& figure, const FigureRequest& request) {
+    const Emphasis& emphasis = request.emphasis;
+    if (!emphasis.parameter) return;
+    bool named = false;
+    for (PaneFigure& pane : figure.panes) {
+        const bool shown = pane.plot.pane != Pane::curve &&
+                           (pane.plot.pane == Pane::bFunction) != onCurve(emphasis);
+        if (!shown) continue;
+        addParameterLine(pane, *emphasis.parameter, !named, coloursOf(request));
+        named = true;
+    }
+}
+
+void addStretch(PaneFigure& pane, const FigureRequest& request,
+                const std::vector<scene::Placed>& all, int object, std::size_t index) {
+    const scene::Placed* placed = placedOf(all, *request.state, object);
+    const auto interval = placed ? ruledInterval(placed->curve, index) : std::nullopt;
+    if (!interval) return;
+    Shape stretch = stretchOf(*placed, *interval, stretchPoints);
+    stretch.width = static_cast<float>(placed->object->style.width + 9);
+    stretch.colour.alpha = request.dark ? 0.34 : 0.22;
+    pane.below.push_back(std::move(stretch));
+}
+
+void addDot(Figure& figure, const FigureRequest& request, const std::vector<scene::Placed>& all) {
+    const PaneFigure* plot = figure.find(Pane::knots);
+    if (plot == nullptr) plot = figure.find(Pane::basis);
+    if (plot == nullptr) return;
+    const scene::Placed* placed = placedOf(all, *request.state, plot->plot.object);
+    if (placed == nullptr) return;
+    const auto t = parameterInDomain(placed->curve, *request.emphasis.parameter);
+    if (!t) return;
+    figure.panes.front().above.push_back(dotAt(
+        placed->placement.point(pointAt(placed->curve, *t)), coloursOf(request).accent));
+}
+
+}  // namespace
+
+std::optional<Interval> ruledInterval(const Curve& curve, std::size_t index) noexcept {
+    if (const auto* spline = curve.as<BsplineCurve>()) {
+        const auto knots = spline->knotVector().extended();
+        const std::size_t end = index + static_cast<std::size_t>(spline->degree()) + 1;
+        if (end >= knots.size()) return std::nullopt;
+        if (spline->closed()) return Interval{knots[index], knots[end]};
+        const Interval whole = spline->domain();
+        const Interval ruled{std::max(knots[index], whole.start), std::min(knots[end], whole.end)};
+        return ruled.length() > 0 ? std::optional(ruled) : std::nullopt;
+    }
+    if (const auto* blend = curve.as<BlendingCurve>()) {
+        if (index < blend->locals().size()) return blend->support(index);
+    }
+    return std::nullopt;
+}
+
+Shape stretchOf(const scene::Placed& placed, const Interval& interval, std::size_t count) {
+    Shape stretch;
+    stretch.object = -1;
+    stretch.positions.reserve(3 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vec3 p = placed.placement.point(
+            pointAt(placed.curve, uniformParameter(interval, i, count)));
+        stretch.positions.insert(stretch.positions.end(), {p.x, p.y, p.z});
+    }
+    stretch.colour = placed.colour;
+    return stretch;
+}
+
+Painted painted(const Shape& shape, const Emphasis& emphasis) {
+    Painted result{&shape, 1, 0, {}};
+    if (shape.pane == Pane::basis && shape.kind == drawing::Kind::polyline) {
+        if (isPointedAt(shape, emphasis)) {
+            result.extraWidth = 1.5;
+        } else if (anyElement(emphasis, shape.object)) {
+            result.opacity = 0.35;
+        }
+    }
+    markElements(result, emphasis);
+    return result;
+}
+
+void addEmphasis(Figure& figure, const FigureRequest& request) {
+    addParameterLines(figure, request);
+    if (figure.panes.empty() || figure.panes.front().plot.pane != Pane::curve) return;
+    const auto ruling = ruler(request.emphasis);
+    const bool dotted = request.emphasis.parameter && onCurve(request.emphasis);
+    if (!ruling && !dotted) return;
+    const auto placed = scene::place(*request.state, request.moment);
+    if (ruling) addStretch(figure.panes.front(), request, placed, ruling->first, ruling->second);
+    if (dotted) addDot(figure, request, placed);
+}
+
+}  // namespace knotwork::app

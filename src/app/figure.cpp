@@ -1,0 +1,210 @@
+#include "app/figure.hpp"
+
+#include "app/emphasis.hpp"
+#include "ui/basis_plot.hpp"
+#include "ui/bfunction_plot.hpp"
+
+#include <algorithm>
+
+namespace knotwork::app {
+
+namespace {
+
+using drawing::Kind;
+
+std::vector<const Shape*> shapesOf(const drawing::Drawing& drawing, Pane pane, int object) {
+    std::vector<const Shape*> found;
+    for (const Shape& shape : drawing.shapes) {
+        if (shape.pane == pane && shape.object == object) found.push_back(&shape);
+    }
+    return found;
+}
+
+/// The wanted object where it has shapes in the pane, else the first that has, else -1.
+int plottedObject(const drawing::Drawing& drawing, Pane pane, int wanted) noexcept {
+    int first = -1;
+    for (const Shape& shape : drawing.shapes) {
+        if (shape.pane != pane) continue;
+        if (shape.object == wanted) return wanted;
+        if (first < 0) first = shape.object;
+    }
+    return first;
+}
+
+bool asksFor(const scene::State& state, std::string_view pane) noexcept {
+    const scene::Json* view = state.header ? scene::member(*state.header, "view") : nullptr;
+    const scene::Json* panes = view != nullptr ? scene::member(*view, "panes") : nullptr;
+    if (panes == nullptr || !panes->is_array()) return true;
+    return std::any_of(panes->begin(), panes->end(),
+                       [pane](const scene::Json& name) { return name == pane; });
+}
+
+std::vector<double> knotsOf(const std::vector<const Shape*>& shapes) {
+    std::vector<double> knots;
+    for (const Shape* shape : shapes) {
+        if (shape->kind != Kind::points) continue;
+        for (std::size_t i = 0; i < shape->positions.size(); i += 3) {
+            knots.push_back(shape->positions[i]);
+        }
+    }
+    std::sort(knots.begin(), knots.end());
+    return knots;
+}
+
+const Curve* curveOf(const scene::State& state, int object) noexcept {
+    if (object < 0 || static_cast<std::size_t>(object) >= state.objects.size()) return nullptr;
+    return &state.objects[static_cast<std::size_t>(object)]->curve;
+}
+
+/// What the basis functions and the knot line of one object have in common.
+struct ParameterPlots {
+    int object = -1;
+    std::vector<const Shape*> basis;
+    std::vector<const Shape*> knotShapes;
+    std::vector<double> knots;
+    Interval domain;
+    Interval range;
+};
+
+ParameterPlots parameterPlots(const FigureRequest& request) {
+    const drawing::Drawing& drawing = *request.drawing;
+    ParameterPlots plots;
+    plots.object = plottedObject(drawing, Pane::knots, request.object);
+    if (plots.object < 0) plots.object = plottedObject(drawing, Pane::basis, request.object);
+    plots.basis = shapesOf(drawing, Pane::basis, plots.object);
+    plots.knotShapes = shapesOf(drawing, Pane::knots, plots.object);
+    plots.knots = knotsOf(plots.knotShapes);
+    std::vector<const Shape*> all = plots.basis;
+    all.insert(all.end(), plots.knotShapes.begin(), plots.knotShapes.end());
+    plots.range = request.frozenRange ? *request.frozenRange : ui::extentX(all);
+    const Curve* curve = curveOf(*request.state, plots.object);
+    plots.domain = curve != nullptr ? domain(*curve) : plots.range;
+    return plots;
+}
+
+/// An area of a curve's plane with control points gets a grid to read them by; a picture of curves
+/// alone is left to itself.
+bool wantsGrid(const drawing::Drawing& drawing) noexcept {
+    return std::any_of(drawing.shapes.begin(), drawing.shapes.end(), [](const Shape& shape) {
+        return shape.pane == Pane::curve && offers(shape) &&
+               kindOfList(shape.path) == TargetKind::point;
+    });
+}
+
+void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
+                  const Camera& camera, const ui::Theme& colours) {
+    PaneFigure pane;
+    pane.plot.pane = Pane::curve;
+    pane.plot.box = pane.plot.area = box;
+    pane.plot.map = camera.map(box);
+    if (wantsGrid(*request.drawing)) ui::addPlaneGrid(pane.plot, colours);
+    for (const Shape& shape : request.drawing->shapes) {
+        if (shape.pane != Pane::curve) continue;
+        if (shape.kind != Kind::label) {
+            pane.shapes.push_back(painted(shape, request.emphasis));
+        } else if (!shape.positions.empty()) {
+            pane.plot.labels.push_back({shape.text, pane.plot.map.toPixels(positionOf(shape, 0)),
+                                        ui::Align::centre, ui::Baseline::middle, 13, false,
+                                        shape.colour});
+        }
+    }
+    figure.panes.push_back(std::move(pane));
+}
+
+void addPlot(Figure& figure, ui::Plot plot, int object, const FigureRequest& request) {
+    PaneFigure pane;
+    plot.object = object;
+    for (const Shape& shape : request.drawing->shapes) {
+        if (shape.kind != Kind::label && plot.shows(shape)) {
+            pane.shapes.push_back(painted(shape, request.emphasis));
+        }
+    }
+    pane.plot = std::move(plot);
+    figure.panes.push_back(std::move(pane));
+}
+
+void addParameterPanes(Figure& figure, const FigureRequest& request,
+                       const ui::FigureLayout& layout, const ui::Theme& colours) {
+    if (!layout.basis && !layout.knots) return;
+    const ParameterPlots plots = parameterPlots(request);
+    figure.axis = ui::parameterAxis(layout.basis ? *layout.basis : *layout.knots, plots.range);
+    if (layout.basis) {
+        const ui::BasisContent content{ui::extentY(plots.basis), plots.knots};
+        addPlot(figure,
+                ui::basisPlot(*layout.basis, figure.axis, content, !layout.knots, colours),
+                plots.object, request);
+    }
+    if (layout.knots) {
+        addPlot(figure,
+                ui::knotLine(*layout.knots, figure.axis, {plots.knots, plots.domain}, colours),
+                plots.object, request);
+    }
+}
+
+/// The blend of a curve, to say its Hermite order.
+std::array<double, 2> orderOf(const scene::State& state, int object) noexcept {
+    const Curve* curve = curveOf(state, object);
+    const auto* blend = curve != nullptr ? curve->as<BlendingCurve>() : nullptr;
+    return blend != nullptr ? blend->blend().order() : std::array<double, 2>{0, 0};
+}
+
+void addBFunction(Figure& figure, const FigureRequest& request, const Box& box,
+                  const ui::Theme& colours) {
+    const int object = plottedObject(*request.drawing, Pane::bFunction, request.object);
+    ui::BFunctionContent content;
+    for (int order = 0;; ++order) {
+        std::vector<const Shape*> rows = shapesOf(*request.drawing, Pane::bFunction, object);
+        std::erase_if(rows, [order](const Shape* shape) { return shape->index != order; });
+        if (rows.empty()) break;
+        content.values.push_back(ui::extentY(rows));
+    }
+    content.order = orderOf(*request.state, object);
+    for (ui::Plot& plot : ui::bFunctionPlots(box, content, colours)) {
+        addPlot(figure, std::move(plot), object, request);
+    }
+}
+
+}  // namespace
+
+const PaneFigure* Figure::paneAt(const Pixel& p) const noexcept {
+    for (const PaneFigure& pane : panes) {
+        if (pane.plot.box.contains(p)) return &pane;
+    }
+    return nullptr;
+}
+
+const PaneFigure* Figure::find(Pane pane) const noexcept {
+    for (const PaneFigure& one : panes) {
+        if (one.plot.pane == pane) return &one;
+    }
+    return nullptr;
+}
+
+ui::FigureLayout layoutOf(const FigureRequest& request) {
+    const auto has = [&](Pane pane) {
+        return asksFor(*request.state, drawing::paneName(pane)) &&
+               plottedObject(*request.drawing, pane, request.object) >= 0;
+    };
+    ui::WantedPanes wanted;
+    wanted.basis = has(Pane::basis);
+    wanted.knots = has(Pane::knots);
+    wanted.bFunction = has(Pane::bFunction);
+    const bool plots = wanted.basis || wanted.knots || wanted.bFunction;
+    wanted.curve = !plots || asksFor(*request.state, "curve");
+    if (wanted.knots) wanted.knotRows = ui::tallestPile(parameterPlots(request).knots);
+    return ui::layoutFigure(request.box, wanted);
+}
+
+Figure composeFigure(const FigureRequest& request, const ui::FigureLayout& layout,
+                     const Camera& camera) {
+    const ui::Theme& colours =
+        ui::theme(request.dark ? ui::ThemeName::dark : ui::ThemeName::light);
+    Figure figure;
+    if (layout.curve) addCurvePane(figure, request, *layout.curve, camera, colours);
+    addParameterPanes(figure, request, layout, colours);
+    if (layout.bFunction) addBFunction(figure, request, *layout.bFunction, colours);
+    addEmphasis(figure, request);
+    return figure;
+}
+
+}  // namespace knotwork::app

@@ -1,0 +1,77 @@
+// A figure: the panes of a view at a moment, with all that is painted in them and written over them.
+//
+// It is made anew for every picture from a drawing (which is cached), a camera and what people point
+// at; no GL is needed for that, so all of it can be tested.
+#pragma once
+
+#include "app/camera.hpp"
+#include "app/target.hpp"
+#include "ui/knot_line.hpp"
+#include "ui/layout.hpp"
+#include "ui/plot.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace knotwork::app {
+
+/// What stands out, everywhere at once: the same point, its basis function and its part of the
+/// curve.
+struct Emphasis {
+    std::optional<Target> hovered;
+    std::optional<Target> selected;
+    /// A basis function that is pointed at: object and index.
+    int basisObject = -1;
+    int basisIndex = -1;
+    /// A parameter that is pointed at in a plot, and the pane (basis and knots are one).
+    std::optional<double> parameter;
+    Pane parameterPane = Pane::basis;
+};
+
+struct Mark {
+    std::size_t index = 0;
+    double strength = 1;
+};
+
+/// A shape with what emphasis adds to it.
+struct Painted {
+    const Shape* shape = nullptr;
+    double opacity = 1;
+    double extraWidth = 0;
+    std::vector<Mark> marks;  ///< elements of a list of points that stand out
+};
+
+struct PaneFigure {
+    ui::Plot plot;
+    std::vector<Painted> shapes;
+    std::vector<Shape> below;  ///< halos, painted before the shapes
+    std::vector<Shape> above;  ///< the point at the parameter, painted after them
+};
+
+struct Figure {
+    std::vector<PaneFigure> panes;
+    ui::ParameterAxis axis;  ///< of basis and knots
+
+    [[nodiscard]] const PaneFigure* paneAt(const Pixel& p) const noexcept;
+    [[nodiscard]] const PaneFigure* find(Pane pane) const noexcept;
+};
+
+struct FigureRequest {
+    const drawing::Drawing* drawing = nullptr;
+    const scene::State* state = nullptr;
+    scene::Moment moment;
+    Box box;                 ///< of the whole view that the figure may fill
+    int object = -1;         ///< whose functions are plotted, or the first that has some
+    bool dark = false;
+    Emphasis emphasis;
+    /// During the drag of a knot the axis must stay, or the knot would run away from the pointer.
+    std::optional<Interval> frozenRange;
+};
+
+/// Where the panes lie that the document asks for and some object has.
+[[nodiscard]] ui::FigureLayout layoutOf(const FigureRequest& request);
+[[nodiscard]] Figure composeFigure(const FigureRequest& request, const ui::FigureLayout& layout,
+                                   const Camera& camera);
+
+}  // namespace knotwork::app

@@ -1,0 +1,53 @@
+#include "app/picture.hpp"
+
+#include <cmath>
+
+namespace knotwork::app {
+
+namespace {
+
+constexpr double invisible = 0.15;      // device pixels
+constexpr int momentsOfLoop = 12;
+constexpr std::size_t samples = 600;    // enough for the butterfly's six turns
+
+void addPlaced(drawing::Bounds& bounds, const scene::Placed& placed) {
+    const Interval whole = domain(placed.curve);
+    for (std::size_t i = 0; i < samples; ++i) {
+        bounds.add(placed.placement.point(pointAt(placed.curve,
+                                                  uniformParameter(whole, i, samples))));
+    }
+    const auto* spline = placed.curve.as<BsplineCurve>();
+    if (spline == nullptr || !(placed.object->show.polygon || placed.object->show.points)) return;
+    for (const Vec3& p : spline->points()) bounds.add(placed.placement.point(p));
+}
+
+}  // namespace
+
+double toleranceAt(double devicePixelsPerUnit) noexcept {
+    const double exact = invisible / devicePixelsPerUnit;
+    return std::isfinite(exact) && exact > 0 ? std::exp2(std::floor(std::log2(exact))) : 1e-3;
+}
+
+drawing::Bounds loopBounds(const scene::State& state) {
+    drawing::Bounds bounds;
+    const int moments = state.effects.empty() ? 1 : momentsOfLoop;
+    for (int k = 0; k < moments; ++k) {
+        const double phase = static_cast<double>(k) / momentsOfLoop;
+        for (const scene::Placed& placed : scene::place(state, {phase, std::nullopt})) {
+            addPlaced(bounds, placed);
+        }
+    }
+    return bounds;
+}
+
+const drawing::Drawing& Picture::get(const scene::State& state, const Key& key,
+                                     const scene::Moment& moment) {
+    if (key_ != key) {
+        drawing_ = drawing::draw(state, {moment, key.tolerance, key.dark});
+        key_ = key;
+        ++made_;
+    }
+    return drawing_;
+}
+
+}  // namespace knotwork::app

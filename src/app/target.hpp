@@ -1,0 +1,49 @@
+// What of a document can be taken hold of in a view: an element of one of its lists.
+#pragma once
+
+#include "drawing/drawing.hpp"
+#include "scene/scene.hpp"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace knotwork::app {
+
+using drawing::Pane;
+using drawing::Shape;
+
+enum class TargetKind { point, knot, pose };
+
+struct Target {
+    int object = 0;
+    Pane pane = Pane::curve;
+    TargetKind kind = TargetKind::point;
+    std::string list;  ///< `objects[0].points`
+    std::size_t index = 0;
+    Vec3 at{0.0};      ///< where it stood in its pane's plane when it was found
+
+    [[nodiscard]] std::string path() const { return indexed(list, index); }
+    [[nodiscard]] bool same(const Target& other) const noexcept {
+        return index == other.index && list == other.list;
+    }
+};
+
+/// By the last name of the list; nothing for a list that cannot be dragged.
+[[nodiscard]] std::optional<TargetKind> kindOfList(std::string_view list) noexcept;
+[[nodiscard]] std::string_view kindName(TargetKind kind) noexcept;
+
+/// Whether the elements of this shape can be taken hold of.
+[[nodiscard]] bool offers(const Shape& shape) noexcept;
+[[nodiscard]] Vec3 positionOf(const Shape& shape, std::size_t k) noexcept;
+
+/// The target of this path in a drawing, or nothing where the drawing does not show it.
+[[nodiscard]] std::optional<Target> findTarget(const drawing::Drawing& drawing,
+                                               std::string_view path);
+/// How many elements of a list the drawing shows.
+[[nodiscard]] std::size_t listLength(const drawing::Drawing& drawing, std::string_view list);
+
+/// The value at a path such as `objects[0].points[2]`, or null.
+[[nodiscard]] const scene::Json* valueAt(const scene::State& state, std::string_view path);
+
+}  // namespace knotwork::app

@@ -1,0 +1,253 @@
+#include "app/view.hpp"
+
+#include "app/hit.hpp"
+
+#include <algorithm>
+
+namespace knotwork::app {
+
+using scene::Json;
+
+namespace {
+
+bool sameBox(const std::optional<Box>& a, const std::optional<Box>& b) noexcept { return a == b; }
+
+std::vector<double> periodsOf(const scene::State& state) {
+    std::vector<double> periods;
+    for (const auto& effect : state.effects) periods.push_back(effect->period);
+    return periods;
+}
+
+const Json* cameraOf(const scene::State& state) noexcept {
+    const Json* view = state.header ? scene::member(*state.header, "view") : nullptr;
+    return view != nullptr ? scene::member(*view, "camera") : nullptr;
+}
+
+std::string_view alignName(ui::Align align) noexcept {
+    return align == ui::Align::left ? "left" : align == ui::Align::right ? "right" : "center";
+}
+
+std::string_view baselineName(ui::Baseline baseline) noexcept {
+    return baseline == ui::Baseline::top      ? "top"
+           : baseline == ui::Baseline::bottom ? "bottom"
+                                              : "middle";
+}
+
+Json labelJson(const ui::Label& label) {
+    Json json = Json::object();
+    json["text"] = label.text;
+    json["x"] = label.at.x;
+    json["y"] = label.at.y;
+    json["align"] = alignName(label.align);
+    json["baseline"] = baselineName(label.baseline);
+    json["size"] = label.size;
+    json["weight"] = label.strong ? 600 : 400;
+    json["colour"] = scene::formatColour(label.colour);
+    return json;
+}
+
+}  // namespace
+
+void View::attach(std::shared_ptr<scene::Scene> scene) {
+    letGo();
+    editor_.attach(std::move(scene));
+    emphasis_ = {};
+    figure_ = {};
+    picture_.forget();
+    cameraPlaced_ = false;
+    atHome_ = true;
+    clock_.setPhase(0);
+    if (editor_.scene() != nullptr) {
+        revision_ = editor_.scene()->revision();
+        clock_.setPeriod(loopPeriod(periodsOf(editor_.scene()->state())));
+        bounds_ = loopBounds(editor_.scene()->state());
+    }
+    touch();
+}
+
+void View::resize(double width, double height, double pixelRatio) {
+    if (width == width_ && height == height_ && pixelRatio == pixelRatio_) return;
+    width_ = std::max(0.0, width);
+    height_ = std::max(0.0, height);
+    pixelRatio_ = pixelRatio > 0 ? pixelRatio : 1;
+    touch();
+}
+
+void View::setDark(bool dark) {
+    if (dark == dark_) return;
+    dark_ = dark;
+    touch();
+}
+
+void View::setReadOnly(bool readOnly) {
+    if (readOnly) letGo();
+    readOnly_ = readOnly;
+}
+
+void View::setInset(double inset) {
+    if (inset == inset_) return;
+    inset_ = inset;
+    touch();
+}
+
+void View::fit() {
+    if (scene() == nullptr) return;
+    bounds_ = loopBounds(scene()->state());
+    atHome_ = true;
+    if (layout_.curve && cameraPlaced_ && !reducedMotion_) {
+        camera_.glide(homeAim(*layout_.curve));
+    } else {
+        cameraPlaced_ = false;
+    }
+    touch();
+}
+
+void View::tick(double seconds) {
+    const double elapsed = lastTick_ < 0 ? 0 : std::clamp(seconds - lastTick_, 0.0, 0.1);
+    lastTick_ = seconds;
+    const double before = clock_.phase();
+    clock_.advance(seconds);
+    if (clock_.phase() != before) stale_ = true;
+    if (camera_.gliding()) {
+        camera_.advance(elapsed);
+        touch();
+    }
+}
+
+bool View::needsFrame() const noexcept {
+    const bool changed = scene() != nullptr && scene()->revision() != revision_;
+    return touched_ || changed || clock_.running() || camera_.gliding();
+}
+
+void View::painted() noexcept { touched_ = false; }
+
+Box View::box() const noexcept {
+    return ui::inside({0, 0, width_, height_}, {inset_, 0, 0, 0});
+}
+
+scene::Moment View::moment() const noexcept {
+    const auto& effects = scene()->state().effects;
+    const double period = clock_.period();
+    const bool together = std::all_of(effects.begin(), effects.end(),
+                                      [=](const auto& e) { return e->period == period; });
+    if (together) return {clock_.phase(), std::nullopt};
+    return {std::nullopt, clock_.phase() * period};
+}
+
+const drawing::Drawing& View::drawing() {
+    const Picture::Key key{scene()->revision(),
+                           scene()->state().effects.empty() ? 0 : clock_.phase(),
+                           toleranceAt(camera_.aim().scale * pixelRatio_), dark_};
+    return picture_.get(scene()->state(), key, moment());
+}
+
+FigureRequest View::request(const drawing::Drawing& drawing) const {
+    FigureRequest request;
+    request.drawing = &drawing;
+    request.state = &scene()->state();
+    request.moment = moment();
+    request.box = box();
+    request.object = emphasis_.selected ? emphasis_.selected->object : -1;
+    request.dark = dark_;
+    request.emphasis = emphasis_;
+    request.frozenRange = frozenRange_;
+    return request;
+}
+
+Aim View::homeAim(const Box& pane) const {
+    const Json* camera = cameraOf(scene()->state());
+    const Json* centre = camera != nullptr ? scene::member(*camera, "center") : nullptr;
+    Aim aim = fitAim(bounds_, pane);
+    if (camera != nullptr) {
+        const double height = scene::numberOr(*camera, "height", 0);
+        if (height > 0) aim = heightAim(aim.centre, height, pane);
+    }
+    if (centre != nullptr && centre->is_array() && centre->size() >= 2 &&
+        (*centre)[0].is_number() && (*centre)[1].is_number()) {
+        aim.centre = {(*centre)[0].get<double>(), (*centre)[1].get<double>(), 0};
+    }
+    return aim;
+}
+
+void View::followScene() {
+    if (scene()->revision() == revision_) return;
+    revision_ = scene()->revision();
+    clock_.setPeriod(loopPeriod(periodsOf(scene()->state())));
+    touch();
+}
+
+void View::placeCamera(bool layoutMoved) {
+    if (!layout_.curve || (cameraPlaced_ && !(atHome_ && layoutMoved))) return;
+    camera_.jump(homeAim(*layout_.curve));
+    cameraPlaced_ = true;
+}
+
+void View::followSelection(const drawing::Drawing& drawing) {
+    for (auto* target : {&emphasis_.selected, &emphasis_.hovered}) {
+        if (*target) *target = findTarget(drawing, (*target)->path());
+    }
+}
+
+Affine View::placementOf(int object) const {
+    const scene::State& state = scene()->state();
+    for (const scene::Placed& placed : scene::place(state, moment())) {
+        if (placed.object == state.objects[static_cast<std::size_t>(object)].get()) {
+            return placed.placement;
+        }
+    }
+    return {};
+}
+
+const Figure* View::figure() {
+    if (scene() == nullptr || width_ < 1 || height_ < 1) return nullptr;
+    followScene();
+    if (!stale_) return &figure_;
+    // The first drawing needs some camera; that of the whole view is near enough to the one that
+    // the layout of this very drawing will give.
+    if (!cameraPlaced_) camera_.jump(homeAim(box()));
+    // While something is dragged the panes stay, whatever the drag makes of the piles of knots.
+    if (hold_ != Hold::dragging) {
+        const ui::FigureLayout layout = layoutOf(request(drawing()));
+        const bool moved = !sameBox(layout.curve, layout_.curve);
+        layout_ = layout;
+        placeCamera(moved);
+    }
+    const drawing::Drawing& now = drawing();
+    followSelection(now);
+    figure_ = composeFigure(request(now), layout_, camera_);
+    stale_ = false;
+    return &figure_;
+}
+
+void View::select(std::string_view path) {
+    if (scene() == nullptr) return;
+    emphasis_.selected.reset();
+    if (figure() != nullptr && !path.empty()) emphasis_.selected = findTarget(drawing(), path);
+    touch();
+}
+
+std::string View::selection() const {
+    if (!emphasis_.selected || scene() == nullptr) return "null";
+    const Target& target = *emphasis_.selected;
+    const auto& objects = scene()->state().objects;
+    Json json = Json::object();
+    json["object"] = target.object;
+    json["id"] = static_cast<std::size_t>(target.object) < objects.size()
+                     ? objects[static_cast<std::size_t>(target.object)]->id
+                     : std::string();
+    json["path"] = target.path();
+    json["kind"] = kindName(target.kind);
+    json["index"] = target.index;
+    json["position"] = Json::array({target.at.x, target.at.y, target.at.z});
+    return scene::dumpJson(json);
+}
+
+std::string View::labels() const {
+    Json list = Json::array();
+    for (const PaneFigure& pane : figure_.panes) {
+        for (const ui::Label& label : pane.plot.labels) list.push_back(labelJson(label));
+    }
+    return scene::dumpJson(list);
+}
+
+}  // namespace knotwork::app

@@ -1,0 +1,151 @@
+// A view of a scene: camera, clock, what is pointed at and held, and the figure that results.
+//
+// No GL here: what a view shows is asked for with figure() and painted by someone else, so that
+// every click, drag and key can be tested without a browser.
+#pragma once
+
+#include "app/clock.hpp"
+#include "app/drag.hpp"
+#include "app/editor.hpp"
+#include "app/figure.hpp"
+#include "app/picture.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace knotwork::app {
+
+/// Pixels and kind as PointerEvent has them; time in seconds of any clock, for double clicks.
+struct PointerInput {
+    std::string_view kind;  ///< down, move, up, cancel, leave
+    Pixel at;
+    int buttons = 0;
+    int modifiers = 0;
+    std::string_view pointerType = "mouse";
+    double time = 0;
+};
+
+class View {
+public:
+    explicit View(int id) : id_(id) {}
+
+    void attach(std::shared_ptr<scene::Scene> scene);
+    void resize(double width, double height, double pixelRatio);
+    void setDark(bool dark);
+    void setReadOnly(bool readOnly);
+    void setReducedMotion(bool reduced) noexcept { reducedMotion_ = reduced; }
+    /// Width at the left that is covered by a panel and left free by the figure.
+    void setInset(double inset);
+    void fit();
+
+    [[nodiscard]] Clock& clock() noexcept { return clock_; }
+    [[nodiscard]] const Clock& clock() const noexcept { return clock_; }
+    [[nodiscard]] Editor& editor() noexcept { return editor_; }
+    void tick(double seconds);
+
+    [[nodiscard]] bool needsFrame() const noexcept;
+    void touch() noexcept { touched_ = stale_ = true; }
+    /// The figure of this moment, made anew when something changed; null without scene or size.
+    const Figure* figure();
+    /// The last figure was painted: no frame is due until something else changes.
+    void painted() noexcept;
+
+    bool pointer(const PointerInput& input);
+    bool wheel(const Pixel& at, double dy, int modifiers);
+    bool key(std::string_view name, bool down, int modifiers);
+    [[nodiscard]] bool hits(const Pixel& at, std::string_view pointerType);
+    [[nodiscard]] std::string cursor() const;
+    /// Whether the pointer holds something of the view, or its picture.
+    [[nodiscard]] bool holding() const noexcept { return hold_ != Hold::nothing; }
+    /// Lets go of everything without trace, as when the window loses the focus during a drag.
+    void blur();
+
+    [[nodiscard]] const std::optional<Target>& selected() const noexcept {
+        return emphasis_.selected;
+    }
+    void select(std::string_view path);
+    [[nodiscard]] std::string selection() const;
+    [[nodiscard]] std::string labels() const;
+
+    [[nodiscard]] double width() const noexcept { return width_; }
+    [[nodiscard]] double height() const noexcept { return height_; }
+    [[nodiscard]] double pixelRatio() const noexcept { return pixelRatio_; }
+    [[nodiscard]] bool dark() const noexcept { return dark_; }
+    [[nodiscard]] const Camera& camera() const noexcept { return camera_; }
+    [[nodiscard]] std::uint64_t drawingsMade() const noexcept { return picture_.made(); }
+
+private:
+    enum class Hold { nothing, pressedTarget, dragging, pressedEmpty, panning };
+
+    [[nodiscard]] const scene::Scene* scene() const noexcept { return editor_.scene(); }
+    [[nodiscard]] Box box() const noexcept;
+    [[nodiscard]] scene::Moment moment() const noexcept;
+    [[nodiscard]] const drawing::Drawing& drawing();
+    [[nodiscard]] FigureRequest request(const drawing::Drawing& drawing) const;
+    [[nodiscard]] Aim homeAim(const Box& pane) const;
+    void followScene();
+    void placeCamera(bool layoutMoved);
+    void followSelection(const drawing::Drawing& drawing);
+    [[nodiscard]] Affine placementOf(int object) const;
+    [[nodiscard]] std::string gesturePrefix() const { return "view" + std::to_string(id_); }
+
+    // view_pointer.cpp
+    bool press(const PointerInput& input);
+    bool follow(const PointerInput& input);
+    bool release(const PointerInput& input);
+    void dragTo(const PointerInput& input);
+    bool beginDrag();
+    void letGo();
+    void hover(const PointerInput& input);
+    void point(const Emphasis& at);
+    void noteClick(const PointerInput& input);
+
+    // view_editing.cpp
+    bool doubleClick(const PointerInput& input, const std::optional<Target>& target);
+    bool insertKnotAt(const PaneFigure& pane, const Pixel& at, const std::optional<Target>& target);
+    bool addPointAt(const Pixel& at);
+
+    // view_keys.cpp
+    bool escape();
+    bool removeSelected();
+    bool nudge(const Vec3& direction, int modifiers);
+    bool selectNeighbour(int step);
+    bool zoomKey(double factor);
+
+    int id_;
+    double width_ = 0;
+    double height_ = 0;
+    double pixelRatio_ = 1;
+    double inset_ = 0;
+    bool dark_ = false;
+    bool readOnly_ = false;
+    bool reducedMotion_ = false;
+
+    Editor editor_;
+    Clock clock_;
+    Camera camera_;
+    Picture picture_;
+    Figure figure_;
+    Emphasis emphasis_;
+
+    drawing::Bounds bounds_;         ///< that fit() shows
+    ui::FigureLayout layout_;
+    bool touched_ = true;            ///< a frame is due
+    bool stale_ = true;              ///< figure_ is not that of the present state
+    bool atHome_ = true;             ///< the camera shows what fit() would, also in another size
+    bool cameraPlaced_ = false;
+    std::uint64_t revision_ = 0;     ///< of the scene when it was last followed
+    double lastTick_ = -1;
+
+    Hold hold_ = Hold::nothing;
+    std::optional<Target> held_;
+    std::optional<Drag> drag_;
+    std::optional<Interval> frozenRange_;
+    Pixel pressedAt_;
+    Pixel lastAt_;
+    double lastClickTime_ = -1;
+    Pixel lastClickAt_;
+};
+
+}  // namespace knotwork::app

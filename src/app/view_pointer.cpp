@@ -1,0 +1,224 @@
+// A view's pointer: hover, press, drag, pan, click.
+#include "app/hit.hpp"
+#include "app/view.hpp"
+
+#include <cmath>
+
+namespace knotwork::app {
+
+namespace {
+
+constexpr int mainButton = 1;
+constexpr int middleButton = 4;
+constexpr double basisRadius = 7;
+
+/// How far a pressed pointer may wander before the press is a drag.
+double slack(std::string_view pointerType) noexcept { return pointerType == "touch" ? 8 : 3; }
+
+double distance(const Pixel& a, const Pixel& b) noexcept { return std::hypot(a.x - b.x, a.y - b.y); }
+
+bool sameTarget(const std::optional<Target>& a, const std::optional<Target>& b) noexcept {
+    return a.has_value() == b.has_value() && (!a || a->same(*b));
+}
+
+bool sameHover(const Emphasis& a, const Emphasis& b) noexcept {
+    return sameTarget(a.hovered, b.hovered) && a.basisObject == b.basisObject &&
+           a.basisIndex == b.basisIndex && a.parameter == b.parameter &&
+           a.parameterPane == b.parameterPane;
+}
+
+double wheelFactor(double dy) noexcept {
+    // A notch of a wheel is about 100, a pinch on a touchpad comes in steps of a few.
+    return std::exp(-std::clamp(dy, -60.0, 60.0) * 0.008);
+}
+
+}  // namespace
+
+bool View::pointer(const PointerInput& input) {
+    if (scene() == nullptr) return false;
+    if (input.kind == "down") return press(input);
+    if (input.kind == "move") return follow(input);
+    if (input.kind == "up") return release(input);
+    if (input.kind == "cancel") {
+        letGo();
+        return false;
+    }
+    if (hold_ == Hold::nothing) point({});
+    return false;
+}
+
+bool View::press(const PointerInput& input) {
+    const Figure* now = figure();
+    if (now == nullptr) return false;
+    letGo();
+    pressedAt_ = lastAt_ = input.at;
+    const PaneFigure* pane = now->paneAt(input.at);
+    const bool onCurve = pane != nullptr && pane->plot.pane == Pane::curve;
+    if ((input.buttons & middleButton) != 0 && onCurve) {
+        hold_ = Hold::panning;
+        return true;
+    }
+    if ((input.buttons & mainButton) == 0) return false;
+    const auto target = targetAt(*now, input.at, hitRadius(input.pointerType));
+    if (doubleClick(input, target)) return true;
+    if (target) {
+        held_ = target;
+        hold_ = Hold::pressedTarget;
+        emphasis_.selected = target;
+        clock_.hold(true);
+        touch();
+        return true;
+    }
+    // A finger on empty space scrolls the page; only its taps are ours.
+    if (input.pointerType == "touch") return false;
+    hold_ = Hold::pressedEmpty;
+    return true;
+}
+
+bool View::follow(const PointerInput& input) {
+    const Pixel by{input.at.x - lastAt_.x, input.at.y - lastAt_.y};
+    lastAt_ = input.at;
+    const bool wandered = distance(input.at, pressedAt_) > slack(input.pointerType);
+    switch (hold_) {
+        case Hold::nothing:
+            hover(input);
+            return false;
+        case Hold::pressedTarget:
+            if (wandered && !readOnly_ && beginDrag()) dragTo(input);
+            return true;
+        case Hold::dragging:
+            dragTo(input);
+            return true;
+        case Hold::pressedEmpty: {
+            if (!wandered) return true;
+            const Figure* now = figure();
+            const PaneFigure* pane = now != nullptr ? now->paneAt(pressedAt_) : nullptr;
+            if (pane == nullptr || pane->plot.pane != Pane::curve) return true;
+            hold_ = Hold::panning;
+            camera_.pan({input.at.x - pressedAt_.x, input.at.y - pressedAt_.y});
+            break;
+        }
+        case Hold::panning:
+            camera_.pan(by);
+            break;
+    }
+    atHome_ = false;
+    touch();
+    return true;
+}
+
+bool View::release(const PointerInput& input) {
+    const Hold was = hold_;
+    if (was == Hold::dragging) {
+        dragTo(input);
+        editor_.endGesture("pointer");
+    }
+    if (was == Hold::pressedEmpty || (was == Hold::nothing && input.pointerType == "touch")) {
+        emphasis_.selected.reset();
+        touch();
+    }
+    if (was != Hold::dragging && was != Hold::panning) noteClick(input);
+    letGo();
+    if (input.pointerType != "touch") hover(input);
+    return was != Hold::nothing;
+}
+
+bool View::beginDrag() {
+    const Figure* now = figure();
+    if (now == nullptr || !held_) return false;
+    const PaneFigure* pane = now->find(held_->pane);
+    if (pane == nullptr) return false;
+    drag_ = Drag::begin(scene()->state(), *held_, placementOf(held_->object), pressedAt_,
+                        pane->plot.map);
+    if (!drag_) return false;
+    if (held_->kind == TargetKind::knot) frozenRange_ = now->axis.range;
+    if (editor_.inGesture()) editor_.endGesture("key");
+    editor_.beginGesture(gesturePrefix());
+    hold_ = Hold::dragging;
+    point({});
+    return true;
+}
+
+void View::dragTo(const PointerInput& input) {
+    const Figure* now = figure();
+    const PaneFigure* pane = now != nullptr ? now->find(drag_->target().pane) : nullptr;
+    if (pane == nullptr) return;
+    for (scene::Json& command : drag_->commands(input.at, pane->plot.map, input.modifiers)) {
+        editor_.run(std::move(command), "pointer");
+    }
+    touch();
+}
+
+void View::letGo() {
+    if (hold_ == Hold::dragging && editor_.inGesture()) editor_.cancelGesture("pointer");
+    if (hold_ != Hold::nothing) touch();
+    clock_.hold(false);
+    hold_ = Hold::nothing;
+    held_.reset();
+    drag_.reset();
+    frozenRange_.reset();
+}
+
+void View::blur() {
+    letGo();
+    if (editor_.inGesture()) editor_.endGesture("key");
+    point({});
+}
+
+void View::noteClick(const PointerInput& input) {
+    lastClickTime_ = input.time;
+    lastClickAt_ = input.at;
+}
+
+void View::hover(const PointerInput& input) {
+    if (input.pointerType == "touch") return;
+    const Figure* now = figure();
+    const PaneFigure* pane = now != nullptr ? now->paneAt(input.at) : nullptr;
+    Emphasis at;
+    if (pane != nullptr) {
+        at.hovered = targetAt(*now, input.at, hitRadius(input.pointerType));
+        at.parameter = at.hovered ? std::nullopt : parameterAt(*pane, input.at);
+        at.parameterPane = pane->plot.pane;
+        if (const auto basis = basisAt(*now, input.at, basisRadius); basis && !at.hovered) {
+            at.basisObject = basis->object;
+            at.basisIndex = basis->index;
+        }
+    }
+    point(at);
+}
+
+void View::point(const Emphasis& at) {
+    if (sameHover(at, emphasis_)) return;
+    const auto selected = emphasis_.selected;
+    emphasis_ = at;
+    emphasis_.selected = selected;
+    touch();
+}
+
+bool View::wheel(const Pixel& at, double dy, int modifiers) {
+    if ((modifiers & commandKey) == 0) return false;
+    const Figure* now = figure();
+    const PaneFigure* pane = now != nullptr ? now->paneAt(at) : nullptr;
+    if (pane == nullptr || pane->plot.pane != Pane::curve) return false;
+    camera_.zoom(pane->plot.box, at, wheelFactor(dy), !reducedMotion_);
+    atHome_ = false;
+    touch();
+    return true;
+}
+
+bool View::hits(const Pixel& at, std::string_view pointerType) {
+    const Figure* now = figure();
+    return now != nullptr && targetAt(*now, at, hitRadius(pointerType)).has_value();
+}
+
+std::string View::cursor() const {
+    if (hold_ == Hold::panning) return "grabbing";
+    const bool knot = (held_ && held_->kind == TargetKind::knot) ||
+                      (emphasis_.hovered && emphasis_.hovered->kind == TargetKind::knot);
+    if (knot) return "ew-resize";
+    if (hold_ == Hold::dragging || hold_ == Hold::pressedTarget) return "grabbing";
+    if (emphasis_.hovered) return readOnly_ ? "pointer" : "grab";
+    return emphasis_.parameter ? "crosshair" : "default";
+}
+
+}  // namespace knotwork::app
