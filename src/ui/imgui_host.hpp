@@ -83,6 +83,7 @@ private:
     void applyTheme();
 
     ImGuiContext* context_ = nullptr;
+    bool backend_ = false;   ///< whether Dear ImGui's own GL part has been set up
     bool started_ = false;
     bool inFrame_ = false;
     int view_ = 0;

@@ -5,10 +5,12 @@
 // under the field until that field is edited again.
 #pragma once
 
+#include "scene/fields.hpp"
 #include "scene/scene.hpp"
 #include "ui/imgui_host.hpp"
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -36,21 +38,23 @@ struct PanelWords {
     std::string redo = "Redo";
     std::string add = "Add";
     std::string remove = "Remove";
-    std::string more = "more";
-    std::string object = "Object";
-    std::string shape = "Shape";
+    std::string local = "Local curve";
 };
 
 /// What the panel remembers between frames; one per view.
 struct PanelState {
-    int object = 0;            ///< whose fields are shown
-    std::string refusedPath;   ///< the field that was refused, relative to the object
-    std::string refusal;       ///< why
-    std::string heldPath;      ///< the field that is being dragged
-    scene::Json heldCommand;   ///< the last command that its drag gave
-    std::uint64_t gestures = 0;
+    int object = 0;                  ///< whose fields are shown
     std::vector<PanelEvent> events;  ///< in order; the caller takes them out
     PanelWords words;
+
+    // The panel's own:
+    std::string refusedField;        ///< the field whose last edit was refused, empty if none
+    std::string refusal;             ///< why
+    std::string heldField;           ///< the field that is being dragged
+    scene::Json heldCommand;         ///< the last command that this drag gave
+    std::uint64_t gestures = 0;
+    std::shared_ptr<const scene::Object> described;  ///< what `fields` describes
+    std::vector<scene::PanelField> fields;
 };
 
 /// Between beginFrame() and render() of the host. Returns whether the scene changed.
