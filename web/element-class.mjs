@@ -1,6 +1,8 @@
 // <knotwork-figure>: a figure as an element. Importing this module touches no DOM and registers
 // nothing; defineFigure() does, and may be called any number of times.
 
+import { KnotworkError } from './errors.mjs';
+import { exportFigure } from './figure-export.mjs';
 import { Figure } from './figure.mjs';
 import { sourceOf } from './figure-source.mjs';
 import { controlsFor } from './figure-toolbar.mjs';
@@ -108,6 +110,16 @@ export class KnotworkFigure extends Base {
 
     reset() {
         this.#figure?.reset();
+    }
+
+    /**
+     * What is shown as a file: the document as `json`, the picture as `png`.
+     * @param {string} format
+     */
+    async exportAs(format) {
+        const scene = this.#figure?.scene;
+        if (!this.#figure || !scene) throw new KnotworkError('DISPOSED', '', 'The figure shows nothing yet.');
+        return exportFigure({ scene, canvas: this.#figure.view.canvas }, format);
     }
 
     /** Frees everything at once; an element put into a page again begins anew. */

@@ -8,13 +8,14 @@ export function makeParts() {
         class: 'view',
         attributes: { role: 'application', tabindex: 0, 'aria-describedby': description },
     });
-    const fallback = el('div', { class: 'fallback' }, el('slot'));
+    const message = el('p', { class: 'waiting' });
+    const fallback = el('div', { class: 'fallback' }, el('slot'), message);
     const refusal = el('div', { class: 'refusal', attributes: { role: 'alert', hidden: true } });
     const about = el('p', { class: 'aside', attributes: { id: description } });
     const announcer = el('div', { class: 'aside', attributes: { role: 'status', 'aria-live': 'polite' } });
     const picture = el('div', { class: 'stage' }, fallback, wrapper, refusal);
     const frame = el('div', { class: 'frame' }, picture, about, announcer);
-    return { frame, picture, wrapper, fallback, refusal, about, announcer };
+    return { frame, picture, wrapper, fallback, message, refusal, about, announcer };
 }
 
 const announcementPause = 700;  // milliseconds: a run of changes is told once, when it is over

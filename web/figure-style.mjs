@@ -41,6 +41,9 @@ const layout = `
 }
 .fallback { position: absolute; inset: 0; display: grid; place-content: center; padding: 1.5rem;
     text-align: center; color: var(--quiet); overflow: auto; pointer-events: none; }
+.fallback p { margin: 0; }
+.waiting { animation: appear 0s 0.8s both; }
+@keyframes appear { from { visibility: hidden; } to { visibility: visible; } }
 .refusal { position: absolute; inset: auto 0.75rem 0.75rem; padding: 0.75rem 1rem; border-radius: 8px;
     background: var(--bad-wash); color: var(--ink); border-inline-start: 4px solid var(--bad);
     font-size: 0.875rem; overflow-wrap: anywhere; }

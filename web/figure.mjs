@@ -1,14 +1,14 @@
 // A figure at work: picture, controls, values panel and scene inside one shadow root. It lives from
 // the moment its element is connected until it is removed for good.
 
-import { el, setText } from './dom.mjs';
+import { setText } from './dom.mjs';
 import { FigureControls } from './figure-controls.mjs';
 import { FigureInput } from './figure-input.mjs';
 import { Announcer, deferred, makeParts, watch } from './figure-parts.mjs';
+import { describe, selectFirst, showFailure, showRefusal } from './figure-telling.mjs';
 import { readSource } from './figure-source.mjs';
 import { figureSheet } from './figure-style.mjs';
 import { FigureView } from './figure-view.mjs';
-import { shapeSentence } from './shape.mjs';
 import { sharedStage } from './stage.mjs';
 
 /**
@@ -325,24 +325,8 @@ export class Figure {
         if (scene.revision === this.#toldRevision) return;
         const opened = this.#toldRevision < 0;
         this.#toldRevision = scene.revision;
-        const sentence = this.#describe(scene);
+        const sentence = describe(this.#parts, this.host.wishes().words, scene, this.#sceneName);
         if (!opened) this.#announcer.say(sentence);
-    }
-
-    /**
-     * Keeps the text alternative in step with the picture.
-     * @param {any} scene
-     */
-    #describe(scene) {
-        const { words } = this.host.wishes();
-        const { title, objects } = scene.document;
-        const shown = words.scene(this.#sceneName, 'title', title ?? '');
-        this.#parts.wrapper.setAttribute('aria-label', words.text('figure', { title: shown }));
-        const labels = new Map(scene.schema.map((/** @type {any} */ o) => [o.object, o.label ?? o.type]));
-        const sentence = objects.map((/** @type {any} */ object) =>
-            shapeSentence(words, object, labels.get(object.id) ?? object.type)).join(' ');
-        setText(this.#parts.about, `${sentence} ${words.text('figure.keys')}`);
-        return sentence;
     }
 
     #refreshToolbar() {
@@ -368,6 +352,7 @@ export class Figure {
         const wishes = this.host.wishes();
         this.#parts.frame.dataset.theme = wishes.theme;
         this.#parts.picture.style.aspectRatio = wishes.aspect;
+        if (!this.#scene) setText(this.#parts.message, wishes.words.text('loading'));
         this.controls.apply(wishes);
         this.#toldRevision = -1;
         this.#refresh();
@@ -404,39 +389,20 @@ export class Figure {
         return true;
     }
 
-    /** The first thing that can be taken hold of, where nothing is selected yet. */
     #selectFirst() {
         if (this.selection || !this.#scene || !this.#stage) return false;
-        const { app } = this.#stage;
-        for (const k of this.#scene.document.objects.keys()) {
-            for (const list of ['points', 'poses']) {
-                app.select(this.view.id, `objects[${k}].${list}[0]`);
-                if (this.selection) return true;
-            }
-        }
-        return false;
+        return selectFirst(this.#stage.app, this.view.id, this.#scene.document);
     }
 
     /** @param {string} reason */
     #showFailure(reason) {
-        const { words } = this.host.wishes();
-        const { fallback } = this.#parts;
-        fallback.hidden = false;
-        if (!fallback.querySelector('p')) fallback.append(el('p', { text: `${words.text('failed')} ${reason}` }));
+        showFailure(this.#parts, this.host.wishes().words, reason);
         this.#showPicture();
     }
 
-    /**
-     * Says in the figure itself why a document was refused.
-     * @param {any} error
-     */
+    /** @param {any} error why a document was refused */
     showRefusal(error) {
-        const { words } = this.host.wishes();
-        const sentences = [words.text('refused.scene'), words.refusal(error)];
-        if (error.path) sentences.push(words.text('refused.where', { path: error.path }));
-        if (this.#scene) sentences.push(words.text('refused.kept'));
-        this.#parts.refusal.hidden = false;
-        this.#parts.refusal.replaceChildren(...sentences.map((text) => el('p', { text })));
+        showRefusal(this.#parts, this.host.wishes().words, error, this.#scene !== undefined);
     }
 
     dispose() {
