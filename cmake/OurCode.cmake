@@ -10,8 +10,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
     list(APPEND KNOTWORK_WARNING_OPTIONS -Wno-restrict)
 endif()
 
+# LLVM 14 (Emscripten 3.1.6) may load again for a splat what it has just overwritten when it makes
+# lanes of straight-line code (`row = matrix * row` came out wrong). The kernels that matter are
+# written with intrinsics, so nothing is lost without that.
 if(EMSCRIPTEN)
-    list(APPEND KNOTWORK_CODE_OPTIONS -msimd128)
+    list(APPEND KNOTWORK_CODE_OPTIONS -msimd128 -fno-slp-vectorize)
 endif()
 
 add_library(knotwork_our_code INTERFACE)
