@@ -22,6 +22,15 @@ async function opened(path = '', options = {}) {
     return shown;
 }
 
+const scenes = [['bspline-forms', 'B-spline: three forms'], ['b-functions', 'B-functions'], ['butterfly', 'Butterfly']];
+
+/** Goes to a scene by its link. */
+async function choose(page, id, title) {
+    await page.locator(`#scenes a[href="#${id}"]`).click();
+    await page.waitForFunction((text) => document.querySelector('h1').textContent === text, title);
+    await settle(page);
+}
+
 const refusalOf = (page) => page.locator('#refusal').innerText();
 
 describe('the page', () => {
@@ -75,10 +84,9 @@ describe('the page', () => {
 
     it('opens every built-in scene by its link, and says so in the title', async () => {
         const { page, context, ...rest } = await opened();
-        for (const name of ['B-spline: three forms', 'B-functions', 'Butterfly']) {
-            await page.locator('#scenes a', { hasText: name }).click();
-            await page.waitForFunction((title) => document.querySelector('h1').textContent === title, name);
-            assert.equal(await page.locator('#scenes [aria-current]').innerText(), name);
+        for (const [id, title] of scenes) {
+            await choose(page, id, title);
+            assert.equal(await page.locator('#scenes [aria-current]').innerText(), title);
         }
         await assertSilent({ page, ...rest });
         await context.close();
@@ -178,27 +186,32 @@ describe('the page', () => {
     });
 
     it('never scrolls sideways, on a phone or at 400 %', async () => {
-        for (const width of [320, 360, 640]) {
-            for (const scene of ['butterfly', 'bspline-forms', 'b-functions']) {
-                const { page, context } = await opened(`#${scene}`, { viewport: { width, height: 740 } });
+        const { page, context } = await opened();
+        for (const [id, title] of scenes) {
+            await choose(page, id, title);
+            for (const width of [320, 360, 640]) {
+                await page.setViewportSize({ width, height: 740 });
+                await settle(page);
                 const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-                assert.ok(wide <= width, `${scene}: ${wide} in ${width}`);
-                await context.close();
+                assert.ok(wide <= width, `${id}: ${wide} in ${width}`);
             }
         }
+        await context.close();
     });
 
     it('has nothing that axe objects to', async () => {
         for (const colorScheme of ['light', 'dark']) {
-            for (const scene of ['butterfly', 'bspline-forms', 'b-functions']) {
-                const { page, context } = await opened(`#${scene}`, { colorScheme });
-                await page.evaluate(axe);
+            const { page, context } = await opened('', { colorScheme });
+            await page.evaluate(axe);
+            for (const [id, title] of scenes) {
+                await choose(page, id, title);
                 const found = await page.evaluate(() => globalThis.axe.run());
-                const told = found.violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target} ${node.html}`));
-                assert.deepEqual(told, [], `${scene}, ${colorScheme}`);
+                const told = found.violations.flatMap((violation) =>
+                    violation.nodes.map((node) => `${violation.id}: ${node.target} ${node.html}`));
+                assert.deepEqual(told, [], `${id}, ${colorScheme}`);
                 assert.ok(found.passes.length > 20, 'axe has looked');
-                await context.close();
             }
+            await context.close();
         }
     });
 
