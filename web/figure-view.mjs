@@ -12,6 +12,7 @@ export class FigureView {
     #onScreen = false;
     #resize = new ResizeObserver((entries) => this.#onResize(entries[entries.length - 1]));
     #crossing = new IntersectionObserver((entries) => this.#onCrossing(entries[entries.length - 1]));
+    #gone = new AbortController();
     /** @type {Stage | undefined} */
     #stage;
     id = 0;
@@ -44,6 +45,7 @@ export class FigureView {
     }
 
     leave() {
+        this.#gone.abort();
         this.#resize.disconnect();
         this.#crossing.disconnect();
         this.#stage?.remove(this.id);
@@ -60,8 +62,16 @@ export class FigureView {
         try {
             this.#resize.observe(this.wrapper, { box: 'device-pixel-content-box' });
         } catch {
-            this.#resize.observe(this.wrapper);
+            this.#observeRatio();
         }
+    }
+
+    /** Where the observer knows no device pixels, it does not hear of another ratio either. */
+    #observeRatio() {
+        this.#resize.unobserve(this.wrapper);
+        this.#resize.observe(this.wrapper);
+        matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`)
+            .addEventListener('change', () => this.#observeRatio(), { once: true, signal: this.#gone.signal });
     }
 
     /** @param {ResizeObserverEntry} entry */
