@@ -77,10 +77,10 @@ export class FigureView {
     /** @param {ResizeObserverEntry} entry */
     #onResize(entry) {
         const ratio = window.devicePixelRatio;
-        const exact = entry.devicePixelContentBoxSize?.[0];
         const { inlineSize, blockSize } = entry.contentBoxSize[0];
-        this.#width = exact?.inlineSize ?? Math.round(inlineSize * ratio);
-        this.#height = exact?.blockSize ?? Math.round(blockSize * ratio);
+        const exact = entry.devicePixelContentBoxSize?.[0];
+        this.#width = wholePixels(inlineSize * ratio, exact?.inlineSize);
+        this.#height = wholePixels(blockSize * ratio, exact?.blockSize);
         this.#ratio = ratio;
         this.canvas.width = this.#width;
         this.canvas.height = this.#height;
@@ -110,4 +110,14 @@ export class FigureView {
         drawLabels(context, JSON.parse(this.#stage.app.labels(this.id) || '[]'));
         this.listener.painted();
     }
+}
+
+/**
+ * The browser's own count differs from the rounded one by a pixel where boxes begin off the grid;
+ * one that differs by more (emulated devices) does not know the ratio.
+ * @param {number} computed
+ * @param {number | undefined} told
+ */
+function wholePixels(computed, told) {
+    return told !== undefined && Math.abs(told - computed) <= 1 ? told : Math.round(computed);
 }
