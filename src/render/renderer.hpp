@@ -32,12 +32,12 @@ using scene::Colour;
 
 /// How a line is stroked; lengths in CSS pixels.
 struct Stroke {
-    Colour colour;
+    Colour colour{};
     double width = 1;
     bool dashed = false;
     bool crisp = false;  ///< of segments: upright and level ones are moved to whole device pixels
     double halo = 0;     ///< width of the halo beyond either edge, 0 for none
-    Colour haloColour;
+    Colour haloColour{};
 };
 
 /// One element of a list of points that stands out.
@@ -48,13 +48,13 @@ struct Highlight {
 
 /// How points are set; lengths in CSS pixels.
 struct Dots {
-    Colour colour;
+    Colour colour{};
     double diameter = 8;
     bool square = false;
     double border = 0;
-    Colour borderColour;
+    Colour borderColour{};
     double halo = 9;     ///< width of the halo of a fully highlighted point
-    Colour haloColour;
+    Colour haloColour{};
     std::span<const Highlight> highlights = {};
 };
 

@@ -1,0 +1,177 @@
+// The renderer on a device that draws nothing and counts everything.
+#include "render/renderer.hpp"
+
+#include <gtest/gtest.h>
+
+namespace knotwork::render {
+namespace gl {
+namespace {
+
+/// What the device was told; GL is a thing of the whole process, so this is too.
+struct Log {
+    unsigned names = 0;
+    int destroyed = 0;
+    std::vector<Rect> areas;
+    std::vector<Rect> draws;
+    std::vector<scene::Colour> clears;
+    std::string refusal;
+};
+
+Log& log() {
+    static Log told;
+    return told;
+}
+
+}  // namespace
+
+void ProgramTraits::destroy(unsigned) noexcept { log().destroyed += 1; }
+void BufferTraits::destroy(unsigned) noexcept { log().destroyed += 1; }
+void VertexArrayTraits::destroy(unsigned) noexcept { log().destroyed += 1; }
+
+Result<Pipeline> Device::makePipeline(std::string_view, std::string_view, const Layout& layout) {
+    if (!log().refusal.empty()) return refuse(Code::notSupported, "", log().refusal);
+    Pipeline made;
+    made.program = Handle<ProgramTraits>(++log().names, counts_);
+    made.buffer = Handle<BufferTraits>(++log().names, counts_);
+    made.vertexArray = Handle<VertexArrayTraits>(++log().names, counts_);
+    made.stride = layout.stride;
+    made.window = layout.window;
+    return made;
+}
+
+void Device::prepare() noexcept {}
+void Device::setArea(const Rect& area) noexcept { log().areas.push_back(area); }
+void Device::clear(const scene::Colour& colour) noexcept { log().clears.push_back(colour); }
+void Device::draw(Pipeline& pipeline, std::span<const std::byte> records,
+                  const Rect& pane) noexcept {
+    pipeline.bytes = records.size();
+    log().draws.push_back(pane);
+}
+void Device::release() noexcept {}
+
+}  // namespace gl
+
+namespace {
+
+constexpr Rect left{0, 0, 100, 100};
+constexpr Rect right{100, 0, 100, 100};
+const std::vector<double> zigzag{-10, 0, 0, 0, 10, 0, 10, 0, 0};
+
+class RendererTest : public testing::Test {
+protected:
+    RendererTest() { gl::log() = {}; }
+
+    void frame() {
+        renderer.beginView(200, 100, {1, 1, 1, 1});
+        for (const Rect& pane : {left, right}) {
+            renderer.beginPane(pane, Projection::flat(pane, Vec3(0.0), 1, 1), 1);
+            renderer.polyline(zigzag, {{}, 2});
+            renderer.polyline(zigzag, {{}, 3});
+            renderer.points(zigzag, {});
+            renderer.endPane();
+        }
+        renderer.endView();
+    }
+
+    Renderer renderer;
+};
+
+TEST_F(RendererTest, ThreeProgramsAreNineObjects) {
+    ASSERT_TRUE(renderer.start());
+    EXPECT_EQ(renderer.stats().live, (gl::Counts{3, 3, 3}));
+}
+
+TEST_F(RendererTest, NeighbouringLinesAreOneDraw) {
+    ASSERT_TRUE(renderer.start());
+    frame();
+    EXPECT_EQ(renderer.stats().drawCalls, 4);
+    EXPECT_EQ(renderer.stats().vertices, 2U * (5 + 5 + 3));
+}
+
+TEST_F(RendererTest, EachPaneDrawsWithItsOwnProjection) {
+    ASSERT_TRUE(renderer.start());
+    frame();
+    EXPECT_EQ(gl::log().draws, (std::vector<Rect>{left, left, right, right}));
+}
+
+TEST_F(RendererTest, PaintingOrderIsKeptAcrossKinds) {
+    ASSERT_TRUE(renderer.start());
+    renderer.beginView(100, 100, {});
+    renderer.beginPane(left, Projection::flat(left, Vec3(0.0), 1, 1), 1);
+    renderer.polyline(zigzag, {});
+    renderer.triangles(zigzag, {});
+    renderer.polyline(zigzag, {});
+    renderer.endPane();
+    EXPECT_EQ(renderer.stats().drawCalls, 3);
+}
+
+TEST_F(RendererTest, FramesDoNotAddUp) {
+    ASSERT_TRUE(renderer.start());
+    frame();
+    const Stats first = renderer.stats();
+    for (int i = 0; i < 100; ++i) frame();
+    EXPECT_EQ(renderer.stats().live, first.live);
+    EXPECT_EQ(renderer.stats().bufferBytes, first.bufferBytes);
+    EXPECT_EQ(renderer.stats().vertices, first.vertices);
+}
+
+TEST_F(RendererTest, AfterALostContextNothingIsDeletedAndNothingIsDrawn) {
+    ASSERT_TRUE(renderer.start());
+    renderer.forget();
+    EXPECT_EQ(renderer.stats().live.total(), 0);
+    frame();
+    EXPECT_TRUE(gl::log().draws.empty());
+    EXPECT_EQ(gl::log().destroyed, 0);
+}
+
+TEST_F(RendererTest, AfterARestoredContextItDrawsAgain) {
+    ASSERT_TRUE(renderer.start());
+    renderer.forget();
+    ASSERT_TRUE(renderer.start());
+    frame();
+    EXPECT_EQ(renderer.stats().live.total(), 9);
+    EXPECT_EQ(renderer.stats().drawCalls, 4);
+}
+
+TEST_F(RendererTest, StartingTwiceLeavesNoObjectsBehind) {
+    ASSERT_TRUE(renderer.start());
+    ASSERT_TRUE(renderer.start());
+    EXPECT_EQ(renderer.stats().live.total(), 9);
+    EXPECT_EQ(gl::log().destroyed, 9);
+}
+
+TEST_F(RendererTest, ADriverThatRefusesIsReportedInItsWords) {
+    gl::log().refusal = "no such extension";
+    EXPECT_FALSE(renderer.start());
+    EXPECT_NE(renderer.message().find("no such extension"), std::string::npos);
+    frame();
+    EXPECT_TRUE(gl::log().draws.empty());
+}
+
+TEST_F(RendererTest, ShapesArePaintedByTheirKind) {
+    ASSERT_TRUE(renderer.start());
+    renderer.beginView(100, 100, {});
+    renderer.beginPane(left, Projection::flat(left, Vec3(0.0), 1, 1), 1, scene::Colour{0, 0, 0, 1});
+    drawing::Shape shape;
+    shape.positions = zigzag;
+    for (const auto kind : {drawing::Kind::polyline, drawing::Kind::points,
+                            drawing::Kind::triangles, drawing::Kind::label}) {
+        shape.kind = kind;
+        renderer.paint(shape);
+    }
+    renderer.endPane();
+    EXPECT_EQ(renderer.stats().drawCalls, 3);
+    EXPECT_EQ(renderer.stats().vertices, 5U + 3 + 3);
+    EXPECT_EQ(gl::log().clears.size(), 2U);
+}
+
+TEST_F(RendererTest, DestroyingTheRendererFreesEverything) {
+    {
+        Renderer shortLived;
+        ASSERT_TRUE(shortLived.start());
+    }
+    EXPECT_EQ(gl::log().destroyed, 9);
+}
+
+}  // namespace
+}  // namespace knotwork::render
