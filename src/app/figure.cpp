@@ -100,6 +100,7 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
     if (wantsGrid(*request.drawing)) ui::addPlaneGrid(pane.plot, colours);
     for (const Shape& shape : request.drawing->shapes) {
         if (shape.pane != Pane::curve) continue;
+        if (request.emphasis.quiet && shape.role == drawing::Role::handle) continue;
         if (shape.kind != Kind::label) {
             pane.shapes.push_back(painted(shape, request.emphasis));
         } else if (!shape.positions.empty()) {
@@ -191,6 +192,7 @@ ui::FigureLayout layoutOf(const FigureRequest& request) {
     wanted.bFunction = has(Pane::bFunction);
     const bool plots = wanted.basis || wanted.knots || wanted.bFunction;
     wanted.curve = !plots || asksFor(*request.state, "curve");
+    wanted.curveAspect = request.curveAspect;
     if (wanted.knots) wanted.knotRows = ui::tallestPile(parameterPlots(request).knots);
     return ui::layoutFigure(request.box, wanted);
 }

@@ -27,6 +27,8 @@ struct Emphasis {
     /// A parameter that is pointed at in a plot, and the pane (basis and knots are one).
     std::optional<double> parameter;
     Pane parameterPane = Pane::basis;
+    /// While an animation plays and nobody points at it, handles are left out of the picture.
+    bool quiet = false;
 };
 
 struct Mark {
@@ -63,6 +65,7 @@ struct FigureRequest {
     scene::Moment moment;
     Box box;                 ///< of the whole view that the figure may fill
     int object = -1;         ///< whose functions are plotted, or the first that has some
+    double curveAspect = 1;  ///< width of what the camera fits over its height
     bool dark = false;
     Emphasis emphasis;
     /// During the drag of a knot the axis must stay, or the knot would run away from the pointer.

@@ -23,6 +23,13 @@ const Json* cameraOf(const scene::State& state) noexcept {
     return view != nullptr ? scene::member(*view, "camera") : nullptr;
 }
 
+/// Width over height, within what a layout can follow.
+double aspectOf(const drawing::Bounds& bounds) noexcept {
+    const Vec3 size = bounds.max - bounds.min;
+    if (bounds.empty || !(size.x > 0) || !(size.y > 0)) return 1;
+    return std::clamp(size.x / size.y, 0.2, 5.0);
+}
+
 std::string_view alignName(ui::Align align) noexcept {
     return align == ui::Align::left ? "left" : align == ui::Align::right ? "right" : "center";
 }
@@ -148,8 +155,10 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.moment = moment();
     request.box = box();
     request.object = emphasis_.selected ? emphasis_.selected->object : -1;
+    request.curveAspect = aspectOf(bounds_);
     request.dark = dark_;
     request.emphasis = emphasis_;
+    request.emphasis.quiet = clock_.running() && !pointedAt_ && !emphasis_.selected;
     request.frozenRange = frozenRange_;
     return request;
 }

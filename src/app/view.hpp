@@ -138,6 +138,7 @@ private:
     std::uint64_t revision_ = 0;     ///< of the scene when it was last followed
     double lastTick_ = -1;
 
+    bool pointedAt_ = false;  ///< the pointer is over the view
     Hold hold_ = Hold::nothing;
     std::optional<Target> held_;
     std::optional<Drag> drag_;

@@ -36,6 +36,10 @@ double wheelFactor(double dy) noexcept {
 
 bool View::pointer(const PointerInput& input) {
     if (scene() == nullptr) return false;
+    const bool over = input.kind == "down" || input.kind == "move" ||
+                      (input.kind == "up" && input.pointerType != "touch");
+    if (over != pointedAt_) touch();
+    pointedAt_ = over;
     if (input.kind == "down") return press(input);
     if (input.kind == "move") return follow(input);
     if (input.kind == "up") return release(input);
@@ -178,7 +182,7 @@ void View::hover(const PointerInput& input) {
     if (pane != nullptr) {
         at.hovered = targetAt(*now, input.at, hitRadius(input.pointerType));
         at.parameter = at.hovered ? std::nullopt : parameterAt(*pane, input.at);
-        at.parameterPane = pane->plot.pane;
+        if (at.parameter) at.parameterPane = pane->plot.pane;
         if (const auto basis = basisAt(*now, input.at, basisRadius); basis && !at.hovered) {
             at.basisObject = basis->object;
             at.basisIndex = basis->index;

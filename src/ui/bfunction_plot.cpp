@@ -12,7 +12,7 @@ namespace {
 constexpr double leastRow = 62;     // two ticks and a name
 constexpr double namesBelow = 28;   // of the ticks, under the last row
 constexpr double titleHeight = 26;
-constexpr double gap = 12;          // between rows
+constexpr double gap = 20;          // between rows
 constexpr double bShare = 1.8;      // B's row against a derivative's
 
 std::size_t rowsIn(double height, std::size_t wanted) noexcept {

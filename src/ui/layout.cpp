@@ -9,6 +9,7 @@ namespace {
 constexpr double leastBasis = 90;
 constexpr double leastBFunction = 150;
 constexpr double leastCurve = 150;
+constexpr double leastSideBySide = 600;  // width of a figure
 
 double knotHeight(const WantedPanes& wanted) noexcept {
     return 52 + 13.0 * std::clamp(wanted.knotRows, 1, 5);
@@ -49,6 +50,11 @@ void stack(FigureLayout& layout, const Box& column, const WantedPanes& wanted) n
     if (wanted.bFunction) layout.bFunction = take(share);
 }
 
+/// How tall the curve's picture is in its box.
+double curveHeight(const FigureLayout& layout, const WantedPanes& wanted) noexcept {
+    return std::min(layout.curve->width / wanted.curveAspect, layout.curve->height);
+}
+
 FigureLayout sideBySide(const Box& figure, WantedPanes wanted) noexcept {
     FigureLayout layout;
     wanted = reduced(wanted, figure.height);
@@ -83,10 +89,12 @@ FigureLayout layoutFigure(const Box& figure, const WantedPanes& wanted) noexcept
         stack(layout, figure, reduced(wanted, figure.height));
         return layout;
     }
-    const bool wide = figure.width >= 600 && figure.width >= 1.1 * figure.height;
     WantedPanes withCurve = wanted;
     withCurve.curve = true;
-    return wide ? sideBySide(figure, withCurve) : stacked(figure, withCurve);
+    FigureLayout below = stacked(figure, withCurve);
+    if (figure.width < leastSideBySide) return below;
+    FigureLayout beside = sideBySide(figure, withCurve);
+    return curveHeight(beside, wanted) > curveHeight(below, wanted) ? beside : below;
 }
 
 }  // namespace knotwork::ui

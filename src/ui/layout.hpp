@@ -14,6 +14,7 @@ struct WantedPanes {
     bool knots = false;
     bool bFunction = false;
     int knotRows = 1;  ///< height of the tallest pile of knots
+    double curveAspect = 1;  ///< width of the curve's picture over its height
 };
 
 struct FigureLayout {
@@ -23,8 +24,9 @@ struct FigureLayout {
     std::optional<Box> bFunction;
 };
 
-/// Panes that would leave too little for those that matter more are left out: first the
-/// B-function, then the basis functions, then the knot line.
+/// Plots stand beside the curve or below it, whichever shows the curve larger. Panes that would
+/// leave too little for those that matter more are left out: first the B-function, then the basis
+/// functions, then the knot line.
 [[nodiscard]] FigureLayout layoutFigure(const Box& figure, const WantedPanes& wanted) noexcept;
 
 }  // namespace knotwork::ui

@@ -7,6 +7,8 @@ namespace knotwork::ui {
 
 namespace {
 
+constexpr double cellPixels = 44;  // least size of a cell of the plane's grid
+
 Interval extent(const std::vector<const Shape*>& shapes, std::size_t coordinate) noexcept {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -73,19 +75,19 @@ void addPlaneGrid(Plot& plot, const Theme& colours) {
     const Interval x{plot.map.unitX(plot.area.x), plot.map.unitX(plot.area.right())};
     const Interval y{plot.map.unitY(plot.area.bottom()), plot.map.unitY(plot.area.y)};
     if (!(x.length() > 0) || !(y.length() > 0)) return;
-    // One step for both directions, about 64 pixels, keeps the cells square.
-    const double shorter = std::min(x.length(), y.length());
-    const double pixels = std::min(plot.area.width, plot.area.height);
-    const double step = niceStep(shorter, std::max(1, static_cast<int>(pixels / 64)));
-    const auto ticksOf = [&](const Interval& range) {
-        return niceTicks(range, std::max(1, static_cast<int>(range.length() / step + 0.5)));
-    };
+    // One step for both directions keeps the cells square.
+    const double step = niceStep(cellPixels / plot.map.scaleX, 1);
     Lines axis{{}, colours.axis};
+    axis.colour.alpha *= 0.6;
     Lines grid{{}, colours.grid};
-    for (const Tick& tick : ticksOf(x)) addVertical(tick.at == 0 ? axis : grid, plot, tick.at);
+    for (const Tick& tick : ticksEvery(x, step)) {
+        addVertical(tick.at == 0 ? axis : grid, plot, tick.at);
+    }
+    for (const Tick& tick : ticksEvery(y, step)) {
+        addHorizontal(tick.at == 0 ? axis : grid, plot, tick.at);
+    }
     plot.under.push_back(std::move(grid));
     plot.under.push_back(std::move(axis));
-    addGridY(plot, ticksOf(y), colours);
 }
 
 }  // namespace knotwork::ui

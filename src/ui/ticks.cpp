@@ -26,9 +26,12 @@ double niceStep(double length, int most) noexcept {
 }
 
 std::vector<Tick> niceTicks(const Interval& interval, int most) {
+    if (!(interval.length() > 0) || !std::isfinite(interval.length())) return {};
+    return ticksEvery(interval, niceStep(interval.length(), most));
+}
+
+std::vector<Tick> ticksEvery(const Interval& interval, double step) {
     std::vector<Tick> ticks;
-    if (!(interval.length() > 0) || !std::isfinite(interval.length())) return ticks;
-    const double step = niceStep(interval.length(), most);
     const int decimals = decimalsOf(step);
     const double first = std::ceil(interval.start / step - 1e-9);
     const double last = std::floor(interval.end / step + 1e-9);

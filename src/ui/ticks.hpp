@@ -20,6 +20,9 @@ struct Tick {
 /// that the step needs and a true minus sign. Zero is exactly 0.
 [[nodiscard]] std::vector<Tick> niceTicks(const Interval& interval, int most);
 
+/// The multiples of `step` (> 0) in the interval, at most a thousand.
+[[nodiscard]] std::vector<Tick> ticksEvery(const Interval& interval, double step);
+
 /// A number as a label: at most `decimals` of them, no trailing zeros, a true minus sign.
 [[nodiscard]] std::string numberText(double value, int decimals);
 
