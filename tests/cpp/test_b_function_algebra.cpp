@@ -75,6 +75,13 @@ TEST(BFunctionAlgebra, ComposingRationalsMultipliesTheirPowers) {
     EXPECT_TRUE(composed.symmetric());
 }
 
+TEST(BFunctionAlgebra, ComposingAppliesTheInnerFunctionFirst) {
+    const BFunction square = BFunction::makePolynomial(1, 0).value();  // t²
+    const BFunction composed = BFunction::makeComposed(skew(), square).value();
+    EXPECT_DOUBLE_EQ(composed.value(0.3), skew().value(0.09));
+    EXPECT_DOUBLE_EQ(rowsOf(composed, 0.3, 2)[1], 0.6 * rowsOf(skew(), 0.09, 2)[1]);
+}
+
 TEST(BFunctionAlgebra, TheOrderOfAComposedOneIsThatOfTheProductOfThePowers) {
     const auto order = [](const BFunction& outer, const BFunction& inner) {
         return BFunction::makeComposed(outer, inner).value().order();

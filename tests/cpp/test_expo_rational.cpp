@@ -231,6 +231,23 @@ TEST(ExpoRational, AtLambdaTheSlopeIsLargestAndOddDerivativesOfTheBumpVanish) {
     }
 }
 
+TEST(ExpoRational, AtLambdaDerivativesThatJumpAreZeroAndThoseBelowAreExact) {
+    // p = 3: φ = 1 − c|u|³ + …, whose third derivative jumps from 6c to −6c.
+    const BFunction odd = BFunction::makeExpoRational(1.5, 1, 1, 0.5).value();
+    std::array<double, 5> rows{};
+    odd.derivatives(0.5, rows);
+    for (const std::size_t k : {2u, 3u, 4u}) EXPECT_EQ(rows[k], 0) << k;
+    odd.derivatives(0.5 - 1e-9, rows);
+    EXPECT_GT(rows[4], 1);
+    odd.derivatives(0.5 + 1e-9, rows);
+    EXPECT_LT(rows[4], -1);
+    // p = 4: φ = 1 − β u⁴/(1/4)² + …
+    const BFunction even = BFunction::makeExpoRational(2, 3, 1, 0.5).value();
+    std::array<double, 6> more{};
+    even.derivatives(0.5, more);
+    EXPECT_NEAR(more[5] / more[1], -3 * 16 * 24, 1e-9);
+}
+
 TEST(ExpoRational, AStepForLargeBetaAndAlmostLinearForSmall) {
     const BFunction step = BFunction::makeExpoRational(1, 100, 1, 0.3).value();
     EXPECT_LT(step.value(0.15), 1e-5);

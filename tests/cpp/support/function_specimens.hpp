@@ -97,6 +97,8 @@ inline std::vector<Specimen> nestedSpecimens() {
         {"mixed, the first alone", BFunction::makeMixed(erb, skew, 1).value()},
         {"tabulated, linear", BFunction::makeTabulated(std::vector{0.0, 1.0}).value()},
         {"tabulated, smooth", BFunction::makeTabulated(smoothTable(12)).value()},
+        {"tabulated, steep beside nearly flat",
+         BFunction::makeTabulated(std::vector{0.0, 0.4, 0.41, 0.95, 0.96, 1.0}).value()},
         {"tabulated, with a cliff and plateaus",
          BFunction::makeTabulated(std::vector{0.0, 0.0, 1e-9, 0.9, 0.9, 0.95, 1.0, 1.0}).value()}};
 }
