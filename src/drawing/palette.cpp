@@ -26,8 +26,8 @@ double luminance(const Colour& colour) noexcept {
            0.0722 * linear(colour.blue);
 }
 
-/// Contrast of 3 : 1 against our dark background (#12161f or so, luminance 0.008).
-constexpr double leastLuminance = 0.13;
+/// Contrast of more than 4 : 1 against our dark background (#12161f or so, luminance 0.008).
+constexpr double leastLuminance = 0.2;
 
 }  // namespace
 
