@@ -263,8 +263,10 @@ class ListTable {
     #remove(k, button) {
         const command = this.kind.remove?.(this.address, k);
         if (!this.#run(command, button)) return;
-        const buttons = /** @type {NodeListOf<HTMLElement>} */ (this.#body.querySelectorAll('.small'));
-        (buttons[Math.min(k, buttons.length - 1)] ?? this.element.querySelector('summary'))?.focus();
+        queueMicrotask(() => {  // the table has fewer rows by then
+            const buttons = /** @type {NodeListOf<HTMLElement>} */ (this.#body.querySelectorAll('.small'));
+            (buttons[Math.min(k, buttons.length - 1)] ?? this.element.querySelector('summary'))?.focus();
+        });
     }
 
     #makeAdding() {
@@ -281,7 +283,7 @@ class ListTable {
             attributes: { type: 'button' },
             on: {
                 click: () => {
-                    if (this.#run(append(this.address, this.#list), button)) this.#focusLast();
+                    if (this.#run(append(this.address, this.#list), button)) queueMicrotask(() => this.#focusLast());
                 },
             },
         });

@@ -132,9 +132,10 @@ export async function assertSilent({ page, said }) {
 /**
  * Places (in CSS pixels of the page) where the pointer would take hold of something, found as a hand
  * finds them: by moving over the picture and looking at the cursor. Neighbouring ones are one place.
+ * `from` and `to` say in which part of the picture to look, 0 to 1 from its left and top.
  */
-export function handlesOf(page, selector = 'knotwork-figure', step = 4) {
-    return page.evaluate(([name, distance]) => {
+export function handlesOf(page, { from = [0, 0], to = [1, 1] } = {}) {
+    return page.evaluate(([name, distance, [left, top], [right, bottom]]) => {
         const view = document.querySelector(name).shadowRoot.querySelector('.view');
         const box = view.getBoundingClientRect();
         const cursorAt = (x, y) => {
@@ -145,8 +146,8 @@ export function handlesOf(page, selector = 'knotwork-figure', step = 4) {
         };
         const empty = cursorAt(box.left + 3, box.top + box.height / 2);
         const groups = [];
-        for (let y = box.top + 2; y < box.bottom; y += distance) {
-            for (let x = box.left + 2; x < box.right; x += distance) {
+        for (let y = box.top + top * box.height + 2; y < box.top + bottom * box.height; y += distance) {
+            for (let x = box.left + left * box.width + 2; x < box.left + right * box.width; x += distance) {
                 const cursor = cursorAt(x, y);
                 if (cursor === empty) continue;
                 const group = groups.find((g) => g.cursor === cursor &&
@@ -160,7 +161,7 @@ export function handlesOf(page, selector = 'knotwork-figure', step = 4) {
         return groups.map(({ cursor, places }) => ({
             cursor, x: mean(places.map(([x]) => x)), y: mean(places.map(([, y]) => y)), size: places.length,
         }));
-    }, [selector, step]);
+    }, ['knotwork-figure', 5, from, to]);
 }
 
 /** Drags with the real mouse, in steps as a hand would. */
