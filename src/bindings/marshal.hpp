@@ -6,6 +6,8 @@
 #include "scene/json.hpp"
 #include "scene/scene.hpp"
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,6 +15,12 @@ namespace knotwork::bindings {
 
 /// Highest order of derivative that can be asked for.
 inline constexpr int maximumDerivative = 25;
+
+/// Reads CBOR (RFC 8949) as the facade writes it, and nothing else (SYNTAX): maps of open length,
+/// lists, texts, true, false, null, every number a double (NaN and infinities included, so that
+/// validation can name them), and a Float64Array as a byte string of little-endian doubles, which
+/// becomes a list of numbers. At most as deep as a document may be.
+[[nodiscard]] Result<scene::Json> readCbor(std::span<const std::uint8_t> bytes);
 
 /// { code, path, message }.
 [[nodiscard]] std::string errorJson(const Error& error);

@@ -42,7 +42,7 @@ int Session::refuse(Error error) {
 }
 
 Result<Json> Session::input(unsigned bytes) const {
-    return scene::parseCbor({room_.data(), std::min<std::size_t>(bytes, room_.size())});
+    return readCbor({room_.data(), std::min<std::size_t>(bytes, room_.size())});
 }
 
 std::string Session::inputText(unsigned bytes) {

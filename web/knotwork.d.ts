@@ -1,0 +1,350 @@
+// The typed form of the interface. A test compares the names below with what the module exports.
+
+/** `[x, y]` or `[x, y, z]`. */
+export type Point = readonly [number, number] | readonly [number, number, number];
+/** A point as it comes back. */
+export type Point3 = [number, number, number];
+/** Points one by one, or a flat array of x, y, z triples. */
+export type Points = readonly Point[] | Float64Array;
+export type Numbers = readonly number[] | Float64Array;
+
+export type ErrorCode =
+    | 'WRONG_TYPE' | 'WRONG_LENGTH' | 'NOT_FINITE' | 'NOT_INTEGER' | 'OUT_OF_RANGE' | 'TOO_LARGE'
+    | 'UNKNOWN_NAME' | 'UNKNOWN_FIELD' | 'KNOTS_DECREASING' | 'KNOTS_MULTIPLICITY' | 'KNOTS_COUNT'
+    | 'RANK_DEFICIENT' | 'NOT_MANIFOLD' | 'NOT_SUPPORTED' | 'SYNTAX' | 'VERSION' | 'DISPOSED'
+    | 'OUT_OF_MEMORY';
+
+/** Every refusal. Nothing else is ever thrown, and what was refused has changed nothing. */
+export class KnotworkError extends Error {
+    constructor(code: ErrorCode, path: string, message: string);
+    readonly code: ErrorCode;
+    /** Where in the input, such as `knots[3]` or `objects[0].bFunction.alpha`; '' for the whole. */
+    readonly path: string;
+}
+
+export interface LoadOptions {
+    /** The bytes of the module, its URL, or (in Node) its path, instead of the one beside this file. */
+    wasm?: ArrayBuffer | ArrayBufferView | URL | string;
+}
+
+/** A fresh module with values of its own. */
+export function load(options?: LoadOptions): Promise<Knotwork>;
+
+export interface Knotwork {
+    bFunction(spec: BFunctionSpec): BFunction;
+    /** The families of B-functions and their parameters. */
+    readonly bFunctions: BFunctionFamily[];
+
+    curve(spec: BsplineCurveSpec): BsplineCurve;
+    curve(spec: ParametricCurveSpec): ParametricCurve;
+    curve(spec: BlendingCurveSpec): BlendingCurve;
+    curve(spec: CurveSpec): Curve;
+    /** The named curves and their parameters. */
+    readonly parametricCurves: ParametricCurveModel[];
+
+    scene(document: SceneDocument): Scene;
+    /** The built-in scenes. */
+    readonly scenes: BuiltinScene[];
+
+    /** The shortest link, `#v1.…`, that opens as this document. */
+    encodeLink(document: SceneDocument): Promise<string>;
+    /** The document of such a link, or of an address that ends in one. */
+    decodeLink(link: string): Promise<SceneDocument>;
+    /** The JSON Schema of documents. */
+    documentSchema(): Record<string, unknown>;
+
+    /** The session of the wasm module, for the application that draws its scenes. */
+    readonly session: unknown;
+}
+
+/** What lives in the module until it is disposed of (or, as a net, garbage-collected). */
+export interface Disposable {
+    /** Frees its memory; everything but dispose() is DISPOSED afterwards. */
+    dispose(): void;
+    [Symbol.dispose](): void;
+}
+
+export interface IntoOption {
+    /** An array of the right length to be filled and returned, so that nothing is allocated. */
+    into?: Float64Array;
+}
+
+// B-functions
+
+export type BFunctionSpec =
+    | { family: 'linear' }
+    | { family: 'trigonometric'; order?: number }
+    | { family: 'polynomial'; p?: number; q?: number }
+    | { family: 'rational'; m?: number; c?: number }
+    | { family: 'expo-rational'; alpha?: number; beta?: number; gamma?: number; lambda?: number }
+    | { family: 'logistic'; c?: number }
+    | { family: 'tabulated'; values: Numbers }
+    | { family: 'dual' | 'symmetrised'; of: BFunctionSpec }
+    | { family: 'composed'; outer: BFunctionSpec; inner: BFunctionSpec }
+    | { family: 'mixed'; of: readonly [BFunctionSpec, BFunctionSpec]; weight?: number };
+
+export interface BFunction extends Disposable {
+    /** B(t), t in [0, 1]. */
+    value(t: number): number;
+    /** [B, B′, …, B⁽ⁿ⁾] at t, one-sided at the ends; n up to 25. */
+    derivatives(t: number, n: number): number[];
+    /** Values at `count` uniform parameters, both ends included. */
+    sample(count: number, options?: IntoOption): Float64Array;
+    /** The Hermite orders at 0 and at 1: how many derivatives vanish there. Infinity is possible. */
+    readonly order: [number, number];
+    /** Whether B(t) + B(1 − t) = 1. */
+    readonly symmetric: boolean;
+    /** Whether derivatives of every order exist on all of [0, 1]. */
+    readonly smooth: boolean;
+    /** Where its smoothness ends, in words; '' for a smooth one. */
+    readonly warning: string;
+    /** What it was made from, defaults filled in. */
+    readonly spec: BFunctionSpec;
+}
+
+export interface ParameterDescription {
+    name: string;
+    label: string;
+    min: number;
+    max: number;
+    default: number;
+    /** Whether `min` itself is excluded. */
+    minOpen: boolean;
+    maxOpen: boolean;
+    integer: boolean;
+    help: string;
+}
+
+export interface BFunctionFamily {
+    family: string;
+    label: string;
+    formula: string;
+    parameters: ParameterDescription[];
+    /** The fields that hold other B-functions, and how many. */
+    operands: { name: string; label: string; count: number }[];
+}
+
+// Curves
+
+export interface BsplineCurveSpec {
+    type: 'bspline-curve';
+    degree: number;
+    form?: 'clamped' | 'open' | 'closed';
+    points: Points;
+    /** Points + degree + 1 numbers, or points + 1 of one period where closed; default uniform. */
+    knots?: Numbers;
+    /** One positive number a point makes the curve rational. */
+    weights?: Numbers;
+}
+
+export interface ParametricCurveSpec {
+    type: 'parametric-curve';
+    /** A name of `kw.parametricCurves`. */
+    name: string;
+    parameters?: Record<string, number>;
+    domain?: readonly [number, number];
+}
+
+/** Scale, then rotate, both about the local curve's own origin, then translate. */
+export interface Pose {
+    translate?: Point;
+    rotate?: { axis?: Point; angle?: number };
+    scale?: number | Point;
+}
+
+export interface BlendingCurveSpec {
+    type: 'blending-curve';
+    bFunction: BFunctionSpec;
+    /** What the local curves are cut from, where they are counted. */
+    model?: CurveSpec;
+    locals: { count: number; kind?: 'sub-curve' } | readonly CurveSpec[];
+    form?: 'open' | 'closed';
+    /** Maps each local curve's own domain onto the interval where it takes part. */
+    fit?: 'affine';
+    /** Where each local curve is centred; a closed curve has one more, a period after the first. */
+    knots?: Numbers;
+    poses?: readonly ({ local: number } & Pose)[];
+}
+
+export type CurveSpec = BsplineCurveSpec | ParametricCurveSpec | BlendingCurveSpec;
+
+/** Outside its domain a closed curve wraps and any other is OUT_OF_RANGE. */
+export interface Curve extends Disposable {
+    readonly domain: [number, number];
+    readonly closed: boolean;
+    /** 2 where it lies in the plane z = 0, otherwise 3. */
+    readonly dimension: number;
+    point(t: number): Point3;
+    /**
+     * The point and n derivatives, n up to 25. `side` says from where a knot is approached: the
+     * right by default, the left at the right end.
+     */
+    derivatives(t: number, n: number, options?: { side?: 'left' | 'right' }): Point3[];
+    /** `count` points, uniform in the parameter, both ends included. */
+    sample(count: number, options?: IntoOption): Float64Array;
+    /** All positions, then all first derivatives, …. */
+    sampleAt(ts: Numbers, options?: IntoOption & { derivatives?: number }): Float64Array;
+    /** A polyline that is nowhere further from the curve than the tolerance (default 0.001). */
+    polyline(options?: { tolerance?: number }): { points: Float64Array; parameters: Float64Array };
+    /** What it was made from, defaults filled in. */
+    readonly spec: CurveSpec;
+}
+
+export interface BsplineCurve extends Curve {
+    /** In the form in which they are given: one period of a closed curve. */
+    readonly knots: number[];
+    /** The Greville abscissae, one a point. */
+    readonly greville: number[];
+    /** The same curve with the knot t `times` times more (default once). */
+    insertKnot(t: number, times?: number): BsplineCurve;
+    /** Row k: the k-th derivative of all n basis functions. */
+    basis(t: number, options?: { derivatives?: number }): number[][];
+    readonly spec: BsplineCurveSpec;
+}
+
+export interface ParametricCurve extends Curve {
+    readonly spec: ParametricCurveSpec;
+}
+
+export interface BlendingCurve extends Curve {
+    readonly knots: number[];
+    /** The same curve with local curve j in this pose instead of the one it has. */
+    withPose(j: number, pose: Pose): BlendingCurve;
+    /** The weights with which the local curves are blended at t: at most two are not 0, sum 1. */
+    blendBasis(t: number): number[];
+    readonly spec: BlendingCurveSpec;
+}
+
+export interface ParametricCurveModel {
+    name: string;
+    label: string;
+    dimension: number;
+    parameters: ParameterDescription[];
+}
+
+// Scenes
+
+export interface SceneView {
+    mode?: '2d';
+    panes?: readonly ('curve' | 'basis' | 'knots' | 'bFunction')[];
+    camera?: { center?: Point; height?: number };
+}
+
+export type SceneObject = CurveSpec & {
+    id?: string;
+    style?: { colour?: string; width?: number };
+    show?: Partial<Record<
+        'curve' | 'polygon' | 'points' | 'knots' | 'locals' | 'handles' | 'basis' | 'bFunction',
+        boolean
+    >>;
+};
+
+/** Pure functions of phase: at 0 and 1 everything stands where it began, exactly. */
+export type Effect = {
+    /** The id of an object. */
+    target: string;
+    /** Seconds until everything is back; default 10. */
+    period?: number;
+    /** There and back; default trigonometric. */
+    easing?: BFunctionSpec;
+} & (
+    | { kind: 'translate'; by?: Point }
+    | { kind: 'rotate'; axis?: Point; angle?: number }
+    | { kind: 'simulate'; translate?: Point; rotate?: { axis?: Point; angle?: number }; seed?: number }
+    | { kind: 'colour'; to?: string }
+);
+
+export interface SceneDocument {
+    knotwork: 1;
+    title?: string;
+    description?: string;
+    view?: SceneView;
+    objects?: readonly SceneObject[];
+    effects?: readonly Effect[];
+}
+
+/** Paths as in `objects[0].points[2]`; commands of one gesture are one step of history. */
+export type Command = { gesture?: string } & (
+    | { set: string; value: unknown }
+    | { move: string; to: number | Point }
+    | { move: string; by: number | Point }
+    | { insert: string; value: unknown }
+    | { remove: string }
+    | { add: SceneObject }
+    | { pose: { object: string; local: number } & Pose }
+    | { insertKnot: { object: string; at: number } }
+);
+
+export interface Shape {
+    /** The id of the object it belongs to. */
+    object: string;
+    role: string;
+    kind: 'polyline' | 'points' | 'triangles' | 'label';
+    pane: 'curve' | 'basis' | 'knots' | 'bFunction';
+    /** Which basis function, local curve or order of derivative. */
+    index: number;
+    /** x, y, z triples. */
+    positions: Float64Array;
+    /** `#rrggbb` */
+    colour: string;
+    opacity: number;
+    /** Line width or diameter in CSS pixels. */
+    width: number;
+    dashed: boolean;
+    square: boolean;
+    /** The list in the document whose k-th element the k-th position shows; '' for none. */
+    path: string;
+    /** Of a label. */
+    text: string;
+}
+
+export interface Drawing {
+    /** Of the curves in world units; null where nothing is drawn. */
+    bounds: { min: Point3; max: Point3 } | null;
+    /** In painting order. */
+    shapes: Shape[];
+}
+
+export interface FieldDescription {
+    path: string;
+    name: string;
+    label: string;
+    kind: string;
+    group: string;
+    help: string;
+    value: unknown;
+    min?: number;
+    max?: number;
+    minOpen?: boolean;
+    maxOpen?: boolean;
+    low?: number;
+    high?: number;
+    choices?: { value: string; label: string }[];
+}
+
+export interface Scene extends Disposable {
+    /** The canonical document: defaults filled in, keys in a fixed order. */
+    readonly document: SceneDocument;
+    /** The scene with all effects at a phase in [0, 1] (default 0), or each where it is at a time. */
+    drawing(options?: { phase?: number; time?: number; tolerance?: number }): Drawing;
+    /** Applies a command; one that is refused changes nothing. */
+    execute(command: Command): { command: string; path: string };
+    /** Takes a step back; false where there is none. */
+    undo(): boolean;
+    redo(): boolean;
+    readonly canUndo: boolean;
+    readonly canRedo: boolean;
+    /** The fields of each object. */
+    readonly schema: { object: string; type: string; label: string; fields: FieldDescription[] }[];
+    /** Grows by one with every change. */
+    readonly revision: number;
+    /** Its name in the module, for a view that shows it. */
+    readonly handle: number;
+}
+
+export interface BuiltinScene {
+    id: string;
+    title: string;
+    description: string;
+    document: SceneDocument;
+}
