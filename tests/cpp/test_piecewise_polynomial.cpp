@@ -134,7 +134,7 @@ TEST(BsplineSampler, FirstDerivativesOfHighDegreesAgreeWithTheCurve) {
         const SplineKind kind{.minDegree = 8, .maxDegree = 25, .dimension = random.integer(2, 3)};
         const BsplineCurve curve = random.curve(random.form(), kind);
         expectRows(curve, test::telltaleParameters(curve.knotVector(), random, 50), 3,
-                   test::gates::sampledDerivatives);
+                   test::gates::highDegreeDerivatives);
     }
 }
 

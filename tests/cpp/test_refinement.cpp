@@ -50,7 +50,8 @@ TEST(KnotInsertion, OneByOneGivesTheRefinedPolygonOfTheTruth) {
                      .value();
     for (const double t : {2.0, 0.5, 3.5, 1.0}) curve = insertKnot(curve, t, 1).value();
     const auto expected = test::doubles(test::rationals(refined["to"]));
-    EXPECT_TRUE(std::ranges::equal(curve.knotVector().knots(), expected));
+    const auto found = curve.knotVector().knots();
+    EXPECT_EQ(std::vector<double>(found.begin(), found.end()), expected);
     expectPoints(curve.points(), planar(refined["ctrl"]));
 }
 
@@ -112,7 +113,7 @@ TEST(KnotInsertion, KnotOfFullMultiplicityIsAControlPointOfTheCurve) {
         const auto meets = [&](const Vec3& control) {
             return glm::length(control - point) <= test::gates::refinement;
         };
-        EXPECT_TRUE(std::ranges::any_of(refined.points(), meets));
+        EXPECT_TRUE(std::any_of(refined.points().begin(), refined.points().end(), meets));
     }
 }
 

@@ -18,5 +18,6 @@ inline constexpr double bernsteinSamples = 1e-13;
 inline constexpr double rationalSamples = 1.2e-13;
 // Relative to the largest derivative of the order on the curve.
 inline constexpr double sampledDerivatives = 1e-11;
+inline constexpr double highDegreeDerivatives = 1e-10;  // third derivatives, degree 8 to 25: 3e-11
 
 }  // namespace knotwork::test::gates
