@@ -80,7 +80,7 @@ const ui::Theme& coloursOf(const FigureRequest& request) noexcept {
 
 void addParameterLine(PaneFigure& pane, double t, bool named, const ui::Theme& colours) {
     ui::Lines line{{}, colours.accent, 1.25};
-    ui::addVertical(line, pane.plot, t);
+    ui::addThrough(line, pane.plot, t);
     pane.plot.over.push_back(std::move(line));
     if (!named) return;
     const bool left = pane.plot.map.pixelX(t) > pane.plot.area.centre().x;

@@ -137,7 +137,8 @@ void addParameterPanes(Figure& figure, const FigureRequest& request,
     }
     if (layout.knots) {
         addPlot(figure,
-                ui::knotLine(*layout.knots, figure.axis, {plots.knots, plots.domain}, colours),
+                ui::knotLine(*layout.knots, figure.axis,
+                             {plots.knots, plots.domain, layout.basis.has_value()}, colours),
                 plots.object, request);
     }
 }

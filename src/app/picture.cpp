@@ -9,6 +9,17 @@ namespace {
 constexpr double invisible = 0.15;      // device pixels
 constexpr int momentsOfLoop = 12;
 constexpr std::size_t samples = 600;    // enough for the butterfly's six turns
+constexpr std::size_t samplesOfLocal = 32;
+
+void addLocals(drawing::Bounds& bounds, const scene::Placed& placed, const BlendingCurve& blend) {
+    for (std::size_t j = 0; j < blend.locals().size(); ++j) {
+        const Interval support = blend.support(j);
+        for (std::size_t i = 0; i < samplesOfLocal; ++i) {
+            const double t = uniformParameter(support, i, samplesOfLocal);
+            bounds.add(placed.placement.point(blend.locals()[j].point(t)));
+        }
+    }
+}
 
 void addPlaced(drawing::Bounds& bounds, const scene::Placed& placed) {
     const Interval whole = domain(placed.curve);
@@ -16,6 +27,8 @@ void addPlaced(drawing::Bounds& bounds, const scene::Placed& placed) {
         bounds.add(placed.placement.point(pointAt(placed.curve,
                                                   uniformParameter(whole, i, samples))));
     }
+    const auto* blend = placed.curve.as<BlendingCurve>();
+    if (blend != nullptr && placed.object->show.locals) addLocals(bounds, placed, *blend);
     const auto* spline = placed.curve.as<BsplineCurve>();
     if (spline == nullptr || !(placed.object->show.polygon || placed.object->show.points)) return;
     for (const Vec3& p : spline->points()) bounds.add(placed.placement.point(p));

@@ -4,30 +4,12 @@
 
 namespace knotwork::ui {
 
-namespace {
-
-/// Beyond this many verticals they would be a grey wash.
-constexpr std::size_t mostVerticals = 64;
-
-void addKnotLines(Plot& plot, const ParameterAxis& axis, const std::vector<double>& knots,
-                  const Theme& colours) {
-    std::vector<double> distinct = knots;
-    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    if (distinct.size() > mostVerticals) return;
-    Lines lines{{}, colours.grid};
-    for (const double knot : distinct) {
-        if (axis.range.contains(knot)) addVertical(lines, plot, knot);
-    }
-    plot.under.push_back(std::move(lines));
-}
-
-}  // namespace
-
 Plot basisPlot(const Box& box, const ParameterAxis& axis, const BasisContent& content,
                bool namesBelow, const Theme& colours) {
     Plot plot;
     plot.pane = Pane::basis;
     plot.box = box;
+    plot.joinsBelow = !namesBelow;
     const double below = namesBelow ? 28 : plotMargins.bottom;
     plot.area = inside(box, {0, plotMargins.top + 6, 0, below});
     plot.area.x = axis.left;

@@ -9,15 +9,21 @@ namespace knotwork::ui {
 
 namespace {
 
-constexpr double leastRow = 62;     // two ticks and a name
+constexpr double leastRow = 40;     // two ticks and a name
 constexpr double namesBelow = 28;   // of the ticks, under the last row
 constexpr double titleHeight = 26;
 constexpr double gap = 20;          // between rows
 constexpr double bShare = 1.8;      // B's row against a derivative's
 
+/// Of the row of a derivative when there are so many rows.
+double rowHeight(double height, std::size_t rows) noexcept {
+    const double derivatives = static_cast<double>(rows) - 1;
+    return std::max(1.0, height - gap * derivatives) / (derivatives + bShare);
+}
+
 std::size_t rowsIn(double height, std::size_t wanted) noexcept {
     std::size_t rows = std::max<std::size_t>(wanted, 1);
-    while (rows > 1 && height / (static_cast<double>(rows) - 1 + bShare) < leastRow) --rows;
+    while (rows > 1 && rowHeight(height, rows) < leastRow) --rows;
     return rows;
 }
 
@@ -80,9 +86,7 @@ std::vector<Plot> bFunctionPlots(const Box& box, const BFunctionContent& content
     const Box column = inside(box, {plotMargins.left, plotMargins.top + titleHeight,
                                     plotMargins.right, namesBelow});
     const std::size_t rows = rowsIn(column.height, content.values.size());
-    const double gaps = gap * (static_cast<double>(rows) - 1);
-    const double unit = std::max(1.0, column.height - gaps) /
-                        (static_cast<double>(rows) - 1 + bShare);
+    const double unit = rowHeight(column.height, rows);
     std::vector<Plot> plots;
     double y = column.y;
     for (std::size_t k = 0; k < rows; ++k) {

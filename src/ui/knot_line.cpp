@@ -10,6 +10,9 @@ constexpr double labelHeight = 24;   // below the line, for the names of the tic
 constexpr double mostSpacing = 13;   // of rows: a handle's own size and a little air
 constexpr double headRoom = 16;      // above the top handle, so that it is whole
 
+/// Beyond this many verticals they would be a grey wash.
+constexpr std::size_t mostVerticals = 64;
+
 void addBand(Plot& plot, const Interval& domain, const Theme& colours) {
     Lines axis{{}, colours.axis, 1.25};
     addHorizontal(axis, plot, 0);
@@ -27,6 +30,18 @@ void addTickMarks(Plot& plot, const std::vector<Tick>& ticks, const Theme& colou
 }
 
 }  // namespace
+
+void addKnotLines(Plot& plot, const ParameterAxis& axis, const std::vector<double>& knots,
+                  const Theme& colours) {
+    std::vector<double> distinct = knots;
+    distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+    if (distinct.size() > mostVerticals) return;
+    Lines lines{{}, colours.grid};
+    for (const double knot : distinct) {
+        if (axis.range.contains(knot)) addThrough(lines, plot, knot);
+    }
+    plot.under.push_back(std::move(lines));
+}
 
 ParameterAxis parameterAxis(const Box& column, const Interval& range) noexcept {
     return {range, column.x + plotMargins.left, std::max(column.x + plotMargins.left + 1,
@@ -61,6 +76,8 @@ Plot knotLine(const Box& box, const ParameterAxis& axis, const KnotLineContent& 
     const double spacing = rowSpacing(box.height, tallestPile(content.knots));
     const double scaleX = plot.area.width / axis.range.length();
     plot.map = {axis.left - scaleX * axis.range.start, plot.area.bottom(), scaleX, spacing};
+    plot.joinsAbove = content.underBasis;
+    if (content.underBasis) addKnotLines(plot, axis, content.knots, colours);
     addBand(plot, content.domain, colours);
     const std::vector<Tick> ticks = niceTicks(axis.range, ticksAcross(plot.area.width));
     addTickMarks(plot, ticks, colours);

@@ -31,7 +31,12 @@ inline constexpr Margins plotMargins{44, 14, 22, 10};
 struct KnotLineContent {
     std::vector<double> knots;  ///< as drawn, in ascending order
     Interval domain;            ///< of the curve
+    bool underBasis = false;    ///< basis functions stand straight above
 };
+
+/// Light verticals at the distinct knots, unless they would be a grey wash.
+void addKnotLines(Plot& plot, const ParameterAxis& axis, const std::vector<double>& knots,
+                  const Theme& colours);
 
 [[nodiscard]] Plot knotLine(const Box& box, const ParameterAxis& axis,
                             const KnotLineContent& content, const Theme& colours);

@@ -36,6 +36,12 @@ void addVertical(Lines& lines, const Plot& plot, double x) {
     lines.add({x, plot.map.unitY(plot.area.bottom()), 0}, {x, plot.map.unitY(plot.area.y), 0});
 }
 
+void addThrough(Lines& lines, const Plot& plot, double x) {
+    const double top = plot.joinsAbove ? plot.box.y : plot.area.y;
+    const double bottom = plot.joinsBelow ? plot.box.bottom() : plot.area.bottom();
+    lines.add({x, plot.map.unitY(bottom), 0}, {x, plot.map.unitY(top), 0});
+}
+
 void addHorizontal(Lines& lines, const Plot& plot, double y) {
     lines.add({plot.map.unitX(plot.area.x), y, 0}, {plot.map.unitX(plot.area.right()), y, 0});
 }

@@ -48,6 +48,8 @@ struct Plot {
     Box box;         ///< what is painted, labels included
     Box area;        ///< where the axes' intervals lie
     PlaneMap map;
+    bool joinsBelow = false;  ///< shares its axis with the plot straight below it
+    bool joinsAbove = false;
     std::vector<Lines> under;  ///< painted before the shapes
     std::vector<Lines> over;   ///< and after them
     std::vector<Label> labels;
@@ -65,6 +67,8 @@ struct Plot {
 /// Lines across the area, from edge to edge.
 void addVertical(Lines& lines, const Plot& plot, double x);
 void addHorizontal(Lines& lines, const Plot& plot, double y);
+/// A vertical that runs on into the plots with which this one shares its axis.
+void addThrough(Lines& lines, const Plot& plot, double x);
 
 /// Grid lines across the area at the ticks of an axis, and their names beside it.
 void addGridX(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours);
