@@ -29,7 +29,7 @@ ParametricCurve make(std::string_view name, const Parameters& parameters = {},
                      std::optional<Interval> domain = std::nullopt) {
     auto made = ParametricCurve::make(name, parameters, domain);
     EXPECT_TRUE(made.ok()) << name;
-    return std::move(made).value();
+    return made.ok() ? std::move(made).value() : ParametricCurve::make("circle").value();
 }
 
 std::vector<Vec3> rowsOf(const ParametricCurve& curve, double t, std::size_t count) {
