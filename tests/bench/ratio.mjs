@@ -48,7 +48,8 @@ export function compare(ours, theirs) {
 }
 
 /**
- * The largest difference of two lists; lists of different length differ infinitely.
+ * The largest difference of two lists. Lists of different length differ infinitely, and so do
+ * lists with a number that is none.
  * @param {ArrayLike<number>} a
  * @param {ArrayLike<number>} b
  */
@@ -57,7 +58,8 @@ export function largestDifference(a, b) {
     let largest = 0;
     for (let i = 0; i < a.length; ++i) {
         const difference = Math.abs(a[i] - b[i]);
-        if (!(difference <= largest)) largest = difference;  // a NaN stays
+        if (Number.isNaN(difference)) return Infinity;
+        if (difference > largest) largest = difference;
     }
     return largest;
 }
