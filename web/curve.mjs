@@ -58,7 +58,9 @@ export class Curve extends Held {
         const { core, handle } = Held.of(this);
         const order = derivativeOrder(n, 'n');
         core.ask('curveDerivatives', handle, finite(t, 't'), order, sideNumber(options(given, ['side']).side));
-        return Array.from({ length: order + 1 }, (_, k) => core.point(k));
+        const rows = [];
+        for (let k = 0; k <= order; ++k) rows.push(core.point(k));
+        return rows;
     }
 
     /** @param {number} count @param {{ into?: Float64Array }} [given] */

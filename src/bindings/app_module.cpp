@@ -34,6 +34,7 @@ EMSCRIPTEN_BINDINGS(knotwork_app) {
         .function("resize", &App::resize)
         .function("setTheme", &App::setTheme)
         .function("setPanel", &App::setPanel)
+        .function("setWords", &App::setWords)
         .function("setReadOnly", &App::setReadOnly)
         .function("setReducedMotion", &App::setReducedMotion)
         .function("focus", &App::focus)

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "drawing/drawing.hpp"
+#include "geometry/curve.hpp"
 #include "geometry/result.hpp"
 #include "scene/json.hpp"
 #include "scene/scene.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,11 +18,13 @@ namespace knotwork::bindings {
 /// Highest order of derivative that can be asked for.
 inline constexpr int maximumDerivative = 25;
 
-/// Reads CBOR (RFC 8949) as the facade writes it, and nothing else (SYNTAX): maps of open length,
-/// lists, texts, true, false, null, every number a double (NaN and infinities included, so that
-/// validation can name them), and a Float64Array as a byte string of little-endian doubles, which
-/// becomes a list of numbers. At most as deep as a document may be.
+/// The JSON value of CBOR as the facade writes it (marshal_cbor.hpp), NaN and infinities included,
+/// so that validation can name them. SYNTAX for anything else.
 [[nodiscard]] Result<scene::Json> readCbor(std::span<const std::uint8_t> bytes);
+
+/// The B-spline curve that these bytes specify, as scene::makeCurve() would make it; nothing where
+/// they specify something else, or where anything about it is to be refused.
+[[nodiscard]] std::optional<Curve> readUsualBspline(std::span<const std::uint8_t> bytes);
 
 /// { code, path, message }.
 [[nodiscard]] std::string errorJson(const Error& error);

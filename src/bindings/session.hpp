@@ -117,8 +117,11 @@ public:
 
 private:
     struct CurveValue {
-        scene::Made<Curve> made;
-        std::optional<CurveSampler> sampler;  ///< made when first asked for
+        Curve curve;
+        // Each of these is made when it is first asked for.
+        std::optional<scene::Json> spec;
+        std::optional<CurveSampler> sampler;
+        std::vector<std::uint8_t> source;  ///< what the specification is to be read from
     };
     using Value = std::variant<std::monostate, std::unique_ptr<scene::Made<BFunction>>,
                                std::unique_ptr<CurveValue>, std::shared_ptr<scene::Scene>>;
@@ -130,7 +133,9 @@ private:
     int refuse(Error error);
     [[nodiscard]] Result<scene::Json> input(unsigned bytes) const;
     [[nodiscard]] int hold(Value value);
+    [[nodiscard]] int holdCurve(CurveValue value);
     [[nodiscard]] int holdCurve(Result<scene::Made<Curve>> made);
+    [[nodiscard]] static const scene::Json& specOf(CurveValue& held);
     [[nodiscard]] const Slot* slot(int handle) const;
     /// The value of this type behind the handle; null (and DISPOSED in error()) if there is none.
     template <class T>

@@ -27,34 +27,57 @@ std::size_t rowsOf(int derivatives) noexcept { return static_cast<std::size_t>(d
 
 }  // namespace
 
-int Session::holdCurve(Result<Made<Curve>> made) {
-    if (!made) return refuse(made.error());
-    const Interval whole = domain(made->value);
+int Session::holdCurve(CurveValue value) {
+    const Curve& curve = value.curve;
+    const Interval whole = domain(curve);
     block_[0] = whole.start;
     block_[1] = whole.end;
-    block_[2] = isClosed(made->value) ? 1 : 0;
-    block_[3] = dimension(made->value);
-    block_[4] = static_cast<double>(made->value.kind().index());
-    return hold(std::make_unique<CurveValue>(CurveValue{std::move(*made), std::nullopt}));
+    block_[2] = isClosed(curve) ? 1 : 0;
+    block_[3] = dimension(curve);
+    block_[4] = static_cast<double>(curve.kind().index());
+    return hold(std::make_unique<CurveValue>(std::move(value)));
+}
+
+int Session::holdCurve(Result<Made<Curve>> made) {
+    if (!made) return refuse(made.error());
+    return holdCurve({std::move(made->value), std::move(made->spec), std::nullopt, {}});
 }
 
 int Session::curve(unsigned bytes) {
-    auto spec = input(bytes);
+    const std::span<const std::uint8_t> given(room_.data(),
+                                              std::min<std::size_t>(bytes, room_.size()));
+    if (auto usual = readUsualBspline(given)) {
+        return holdCurve({std::move(*usual), std::nullopt, std::nullopt,
+                          {given.begin(), given.end()}});
+    }
+    auto spec = readCbor(given);
     if (!spec) return refuse(spec.error());
     return holdCurve(scene::makeCurve(*spec));
 }
 
+/// Bytes are kept of B-spline curves only; those that made the curve make it again, with its
+/// specification.
+const scene::Json& Session::specOf(CurveValue& held) {
+    if (!held.spec) {
+        const auto given = readCbor(held.source);
+        auto made = given ? scene::makeCurve(*given) : Result<Made<Curve>>(given.error());
+        held.spec = made ? std::move(made->spec) : scene::specOf(*held.curve.as<BsplineCurve>());
+        held.source = {};
+    }
+    return *held.spec;
+}
+
 std::string Session::curveSpec(int handle) {
-    const auto* held = find<CurveValue>(handle);
-    return held ? scene::dumpJson(held->made.spec) : std::string();
+    auto* held = find<CurveValue>(handle);
+    return held ? scene::dumpJson(specOf(*held)) : std::string();
 }
 
 bool Session::curvePoint(int handle, double t) {
     const auto* held = find<CurveValue>(handle);
     if (!held) return false;
-    const auto inside = parameterInDomain(held->made.value, t);
+    const auto inside = parameterInDomain(held->curve, t);
     if (!inside) return refuse(inside.error());
-    write(pointAt(held->made.value, *inside), block_.data());
+    write(pointAt(held->curve, *inside), block_.data());
     return true;
 }
 
@@ -62,11 +85,11 @@ bool Session::curveDerivatives(int handle, double t, int n, int side) {
     const auto* held = find<CurveValue>(handle);
     if (!held) return false;
     if (auto order = checkDerivative(n, "n"); !order) return refuse(order.error());
-    const auto inside = parameterInDomain(held->made.value, t);
+    const auto inside = parameterInDomain(held->curve, t);
     if (!inside) return refuse(inside.error());
-    const bool left = side < 0 || (side == 0 && *inside == domain(held->made.value).end);
+    const bool left = side < 0 || (side == 0 && *inside == domain(held->curve).end);
     std::array<Vec3, maximumDerivative + 1> rows{};
-    evaluate(held->made.value, *inside, left ? Side::left : Side::right,
+    evaluate(held->curve, *inside, left ? Side::left : Side::right,
              {rows.data(), rowsOf(n)});
     for (std::size_t k = 0; k < rowsOf(n); ++k) write(rows[k], block_.data() + 3 * k);
     return true;
@@ -75,7 +98,7 @@ bool Session::curveDerivatives(int handle, double t, int n, int side) {
 bool Session::curveSample(int handle, unsigned first, unsigned count, unsigned total) {
     auto* held = find<CurveValue>(handle);
     if (!held) return false;
-    if (!held->sampler) held->sampler.emplace(held->made.value);
+    if (!held->sampler) held->sampler.emplace(held->curve);
     const std::size_t points = std::min<std::size_t>(count, blockPoints);
     held->sampler->uniform(first, points, total, {block_.data(), 3 * points});
     return true;
@@ -89,8 +112,10 @@ bool Session::curveAt(int handle, unsigned first, unsigned count, int derivative
     }
     const std::size_t points =
         std::min<std::size_t>(count, blockPoints / rowsOf(derivatives));
+    const Interval whole = domain(held->curve);
     for (std::size_t i = 0; i < points; ++i) {
-        const auto inside = parameterInDomain(held->made.value, parameters_[i]);
+        if (whole.contains(parameters_[i])) continue;
+        const auto inside = parameterInDomain(held->curve, parameters_[i]);
         if (!inside) {
             Error error = inside.error();
             error.path = indexed("ts", first + i);
@@ -98,7 +123,7 @@ bool Session::curveAt(int handle, unsigned first, unsigned count, int derivative
         }
         parameters_[i] = *inside;
     }
-    if (!held->sampler) held->sampler.emplace(held->made.value);
+    if (!held->sampler) held->sampler.emplace(held->curve);
     held->sampler->at({parameters_.data(), points}, derivatives,
                       {block_.data(), 3 * points * rowsOf(derivatives)});
     return true;
@@ -111,7 +136,7 @@ int Session::curvePolyline(int handle, double tolerance) {
         refuse(distance.error());
         return -1;
     }
-    Polyline line = polyline(held->made.value, tolerance);
+    Polyline line = polyline(held->curve, tolerance);
     const std::size_t points = line.parameters.size();
     line.xyz.insert(line.xyz.end(), line.parameters.begin(), line.parameters.end());
     return leave(std::move(line.xyz), points);
@@ -123,14 +148,14 @@ std::string Session::parametricCurves() const {
 
 const BsplineCurve* Session::findBspline(int handle) {
     const auto* held = find<CurveValue>(handle);
-    const auto* spline = held ? held->made.value.as<BsplineCurve>() : nullptr;
+    const auto* spline = held ? held->curve.as<BsplineCurve>() : nullptr;
     if (held && !spline) refuse(notOfKind("B-spline curve"));
     return spline;
 }
 
 const BlendingCurve* Session::findBlending(int handle) {
     const auto* held = find<CurveValue>(handle);
-    const auto* blending = held ? held->made.value.as<BlendingCurve>() : nullptr;
+    const auto* blending = held ? held->curve.as<BlendingCurve>() : nullptr;
     if (held && !blending) refuse(notOfKind("blending curve"));
     return blending;
 }
@@ -139,7 +164,7 @@ int Session::curveKnots(int handle) {
     const auto* held = find<CurveValue>(handle);
     if (!held) return -1;
     std::vector<double> knots;
-    if (const auto* blending = held->made.value.as<BlendingCurve>()) {
+    if (const auto* blending = held->curve.as<BlendingCurve>()) {
         knots = blending->knots();
     } else if (const auto* spline = findBspline(handle)) {
         const std::span<const double> given = spline->knotVector().knots();
@@ -171,7 +196,7 @@ int Session::curveInsertKnot(int handle, double t, int times) {
 int Session::curveBasis(int handle, double t, int derivatives) {
     const auto* spline = findBspline(handle);
     if (!spline) return -1;
-    const auto inside = parameterInDomain(find<CurveValue>(handle)->made.value, t);
+    const auto inside = parameterInDomain(find<CurveValue>(handle)->curve, t);
     const auto order = checkDerivative(derivatives, "derivatives");
     if (!inside || !order) {
         refuse(inside ? order.error() : inside.error());
@@ -186,7 +211,7 @@ int Session::curveBasis(int handle, double t, int derivatives) {
 int Session::curveBlendBasis(int handle, double t) {
     const auto* blending = findBlending(handle);
     if (!blending) return -1;
-    const auto inside = parameterInDomain(find<CurveValue>(handle)->made.value, t);
+    const auto inside = parameterInDomain(find<CurveValue>(handle)->curve, t);
     if (!inside) {
         refuse(inside.error());
         return -1;
@@ -207,7 +232,7 @@ int Session::curveWithPose(int handle, int local, unsigned bytes) {
     }
     auto pose = input(bytes);
     if (!pose) return refuse(pose.error());
-    auto spec = specWithPose(find<CurveValue>(handle)->made.spec, local, std::move(*pose));
+    auto spec = specWithPose(specOf(*find<CurveValue>(handle)), local, std::move(*pose));
     if (!spec) return refuse(spec.error());
     auto made = scene::makeCurve(*spec);
     if (!made) return refuse(seenFromPose(made.error()));

@@ -1,0 +1,117 @@
+// The short way from bytes to a B-spline curve: no tree of JSON in between, which for a small curve
+// costs more than all the samples taken of it. Whatever is in any way unusual is left to the
+// scene's validation, which says what is wrong with it.
+#include "bindings/marshal.hpp"
+#include "bindings/marshal_cbor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knotwork::bindings {
+
+using Kind = CborItem::Kind;
+
+namespace {
+
+struct Parts {
+    bool isBspline = false;
+    double degree = 0;
+    std::optional<Form> form = Form::clamped;
+    std::vector<Vec3> points;
+    std::vector<double> knots;
+    std::vector<double> weights;
+};
+
+std::optional<Form> formNamed(std::string_view name) noexcept {
+    if (name == "clamped") return Form::clamped;
+    if (name == "open") return Form::open;
+    if (name == "closed") return Form::closed;
+    return std::nullopt;
+}
+
+bool readNumbers(CborCursor& cursor, const CborItem& item, std::vector<double>& numbers) {
+    if (item.length > 2 * maxPointCount) return false;
+    numbers.resize(item.length);
+    for (std::size_t i = 0; i < item.length; ++i) {
+        const CborItem one = item.kind == Kind::list ? cursor.next() : CborItem{};
+        if (item.kind == Kind::list && one.kind != Kind::number) return false;
+        numbers[i] = item.kind == Kind::list ? one.number : item.numberAt(i);
+    }
+    return item.kind == Kind::list || item.kind == Kind::numbers;
+}
+
+bool readPoint(CborCursor& cursor, Vec3& point) {
+    const CborItem item = cursor.next();
+    if (item.kind != Kind::list || item.length < 2 || item.length > 3) return false;
+    double xyz[3] = {0, 0, 0};
+    for (std::size_t c = 0; c < item.length; ++c) {
+        const CborItem one = cursor.next();
+        if (one.kind != Kind::number) return false;
+        xyz[c] = one.number;
+    }
+    point = {xyz[0], xyz[1], xyz[2]};
+    return true;
+}
+
+bool readPoints(CborCursor& cursor, const CborItem& item, std::vector<Vec3>& points) {
+    if (item.kind == Kind::numbers) {
+        if (item.length % 3 != 0 || item.length > 3 * maxPointCount) return false;
+        points.resize(item.length / 3);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            points[i] = {item.numberAt(3 * i), item.numberAt(3 * i + 1), item.numberAt(3 * i + 2)};
+        }
+        return true;
+    }
+    if (item.kind != Kind::list || item.length > maxPointCount) return false;
+    points.resize(item.length);
+    return std::all_of(points.begin(), points.end(),
+                       [&](Vec3& point) { return readPoint(cursor, point); });
+}
+
+bool readField(CborCursor& cursor, std::string_view key, Parts& parts) {
+    const CborItem value = cursor.next();
+    if (key == "points") return readPoints(cursor, value, parts.points);
+    if (key == "knots") return readNumbers(cursor, value, parts.knots) && !parts.knots.empty();
+    if (key == "weights") return readNumbers(cursor, value, parts.weights) && !parts.weights.empty();
+    if (key == "degree") {
+        parts.degree = value.number;
+        return value.kind == Kind::number;
+    }
+    if (value.kind != Kind::text) return false;
+    if (key == "type") return parts.isBspline = value.text() == "bspline-curve";
+    if (key == "form") return (parts.form = formNamed(value.text())).has_value();
+    return false;
+}
+
+bool readParts(CborCursor& cursor, Parts& parts) {
+    if (cursor.next().kind != Kind::map) return false;
+    for (;;) {
+        const CborItem key = cursor.next();
+        if (key.kind == Kind::close) return cursor.finished() && parts.isBspline;
+        if (key.kind != Kind::text || !readField(cursor, key.text(), parts)) return false;
+    }
+}
+
+}  // namespace
+
+std::optional<Curve> readUsualBspline(std::span<const std::uint8_t> bytes) {
+    CborCursor cursor(bytes);
+    Parts parts;
+    if (!readParts(cursor, parts)) return std::nullopt;
+    if (!(parts.degree >= 1 && parts.degree <= maxDegree)) return std::nullopt;
+    if (parts.degree != std::floor(parts.degree)) return std::nullopt;
+    const int degree = static_cast<int>(parts.degree);
+    const int count = static_cast<int>(parts.points.size());
+    auto knots = parts.knots.empty()
+                     ? KnotVector::uniform(degree, count, *parts.form)
+                     : KnotVector::make(std::move(parts.knots), degree, count, *parts.form);
+    if (!knots) return std::nullopt;
+    const bool planar = std::all_of(parts.points.begin(), parts.points.end(),
+                                    [](const Vec3& p) { return p.z == 0; });
+    auto curve = BsplineCurve::make(std::move(*knots), std::move(parts.points), planar ? 2 : 3,
+                                    std::move(parts.weights));
+    if (!curve) return std::nullopt;
+    return Curve(std::move(*curve));
+}
+
+}  // namespace knotwork::bindings

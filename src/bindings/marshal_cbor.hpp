@@ -1,0 +1,46 @@
+// CBOR (RFC 8949) as the facade writes it, item by item and without copies: maps of open length,
+// lists, texts, true, false, null, every number a double, and a Float64Array as a byte string of
+// little-endian doubles.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string_view>
+
+namespace knotwork::bindings {
+
+struct CborItem {
+    enum class Kind { number, text, numbers, list, map, close, flag, null, bad };
+
+    Kind kind = Kind::bad;
+    double number = 0;       ///< of a number; 1 for true
+    std::size_t length = 0;  ///< how many items of a list follow, or numbers a byte string holds
+    std::span<const std::uint8_t> bytes{};  ///< of a text or of numbers
+
+    [[nodiscard]] std::string_view text() const noexcept {
+        return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+    }
+    [[nodiscard]] double numberAt(std::size_t i) const noexcept {
+        double value = 0;
+        std::memcpy(&value, bytes.data() + i * sizeof(double), sizeof(double));
+        return value;
+    }
+};
+
+class CborCursor {
+public:
+    explicit CborCursor(std::span<const std::uint8_t> bytes) noexcept : rest_(bytes) {}
+
+    /// The next item; `bad` where the bytes end or are not what the facade writes.
+    CborItem next() noexcept;
+    [[nodiscard]] bool finished() const noexcept { return rest_.empty(); }
+
+private:
+    CborItem counted(std::uint8_t first) noexcept;
+
+    std::span<const std::uint8_t> rest_;
+};
+
+}  // namespace knotwork::bindings
