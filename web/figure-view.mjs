@@ -20,7 +20,7 @@ export class FigureView {
     /**
      * @param {HTMLElement} wrapper
      * @param {{ ticked: () => void, failed: (message: string) => void, painted: () => void,
-     *     seen: () => void }} listener
+     *     crossed: (onScreen: boolean) => void }} listener
      */
     constructor(wrapper, listener) {
         this.wrapper = wrapper;
@@ -92,9 +92,8 @@ export class FigureView {
     /** @param {IntersectionObserverEntry} entry */
     #onCrossing(entry) {
         this.#onScreen = entry.isIntersecting;
-        if (!this.#onScreen) return;
-        this.listener.seen();
-        this.#stage?.request();
+        this.listener.crossed(this.#onScreen);
+        if (this.#onScreen) this.#stage?.request();
     }
 
     /** @param {HTMLCanvasElement} source */

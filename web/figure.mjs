@@ -50,6 +50,8 @@ export class Figure {
     #input;
     /** @type {(() => void)[]} */
     #awaitingPicture = [];
+    /** Whether it can be seen is known; it can be seen. */
+    #lookedFor = deferred();
     #inSight = deferred();
 
     /**
@@ -70,7 +72,10 @@ export class Figure {
             ticked: () => this.#ticked(),
             failed: (message) => this.#showFailure(message),
             painted: () => this.#painted(),
-            seen: () => this.#inSight.resolve(undefined),
+            crossed: (onScreen) => {
+                this.#lookedFor.resolve(undefined);
+                if (onScreen) this.#inSight.resolve(undefined);
+            },
         });
         this.applyWishes();
     }
@@ -296,7 +301,7 @@ export class Figure {
     /** Waits for the first picture, where there is anyone to see it. */
     async #picture() {
         if (document.visibilityState === 'hidden' || this.#stage?.unavailable) return;
-        await this.seen;
+        await this.#lookedFor.promise;
         if (!this.view.onScreen || this.#disposed) return;
         const painted = new Promise((resolve) => { this.#awaitingPicture.push(() => resolve(undefined)); });
         this.#request();
@@ -359,6 +364,7 @@ export class Figure {
         if (!this.#stage) return;
         const { app } = this.#stage;
         app.setTheme(this.view.id, wishes.theme);
+        app.setWords(this.view.id, JSON.stringify(wishes.words.picture()));
         app.setReadOnly(this.view.id, wishes.readOnly);
         app.setReducedMotion(this.view.id, wishes.still);
         if (wishes.still) app.setPlaying(this.view.id, false);
@@ -408,6 +414,7 @@ export class Figure {
     dispose() {
         this.#disposed = true;
         this.#announcer.silence();
+        this.#lookedFor.resolve(undefined);
         this.#inSight.resolve(undefined);
         this.#showPicture();
         this.#input?.dispose();

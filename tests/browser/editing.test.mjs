@@ -45,7 +45,7 @@ async function assertUndone(page, before, picture) {
     assert.ok((await pictureOf(page)).equals(picture), 'the picture is the former one');
 }
 
-describe('a hand', () => {
+describe('a hand', { timeout: 300_000 }, () => {
     it('drags a control point: document and picture follow, and one undo takes it back', async () => {
         const shown = await opened();
         const { page } = shown;
@@ -108,7 +108,7 @@ describe('a hand', () => {
     });
 });
 
-describe('the keyboard', () => {
+describe('the keyboard', { timeout: 300_000 }, () => {
     it('chooses, moves and removes points, and undoes', async () => {
         const { page, context } = await opened();
         const { points } = await splineOf(page);
@@ -156,7 +156,7 @@ describe('the keyboard', () => {
     });
 });
 
-describe('the values panel', () => {
+describe('the values panel', { timeout: 300_000 }, () => {
     it('sets a number, and shows what a drag has set', async () => {
         const { page, context } = await opened();
         await control(page, 'Point 1, x').fill('-3.5');

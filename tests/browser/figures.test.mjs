@@ -34,15 +34,10 @@ function colours(png) {
 
 const stats = (page) => page.evaluate(async () => customElements.get('knotwork-figure').stats());
 
-describe('figures on one page', () => {
+describe('figures on one page', { timeout: 300_000 }, () => {
     it('share one module and one WebGL context, and both draw', async () => {
-        const shown = await opened(two);
-        const fetched = [];
-        shown.page.on('request', (request) => fetched.push(request.url()));
-        await shown.page.reload();
-        await figureReady(shown.page, '#a');
-        await figureReady(shown.page, '#b');
-        assert.equal(fetched.filter((url) => url.endsWith('.wasm')).length, 1);
+        const shown = await openedTwo();
+        assert.equal(shown.fetched.filter((url) => url.endsWith('.wasm')).length, 1);
         assert.equal(await shown.page.evaluate(() => globalThis.observed.contexts.length), 1);
         const pictures = [await pictureOf(shown.page, '#a'), await pictureOf(shown.page, '#b')];
         for (const picture of pictures) assert.ok(colours(picture) > 50, 'lines with smooth edges');
@@ -165,7 +160,7 @@ describe('figures on one page', () => {
     });
 });
 
-describe('an element', () => {
+describe('an element', { timeout: 300_000 }, () => {
     it('takes a document silently, tells of changes, and refuses with a code', async () => {
         const shown = await openedTwo();
         const answer = await shown.page.evaluate(async () => {

@@ -37,7 +37,7 @@ function differing(actual, expected) {
     return pixelmatch(actual.data, expected.data, undefined, width, height, { threshold: 0.1 }) / (width * height);
 }
 
-describe('the picture', () => {
+describe('the picture', { timeout: 300_000 }, () => {
     for (const [scene, scheme] of [['butterfly', 'light'], ['bspline-forms', 'light'], ['b-functions', 'dark']]) {
         it(`of ${scene} (${scheme}) is the one that was found good`, async () => {
             const picture = await pictureOfScene(scene, scheme);

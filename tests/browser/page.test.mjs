@@ -33,7 +33,7 @@ async function choose(page, id, title) {
 
 const refusalOf = (page) => page.locator('#refusal').innerText();
 
-describe('the page', () => {
+describe('the page', { timeout: 300_000 }, () => {
     it('opens on the butterfly without a word on the console or to its policy', async () => {
         const shown = await opened();
         assert.equal(await shown.page.locator('h1').innerText(), 'Butterfly');

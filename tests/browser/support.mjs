@@ -81,6 +81,8 @@ export async function openPage({ server, browser }, path = '', { html, css = '',
     });
     const page = await context.newPage();
     const said = [];
+    const fetched = [];
+    page.on('request', (request) => fetched.push(request.url()));
     page.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));
     page.on('pageerror', (error) => said.push(`error: ${error.stack ?? error}`));
     page.on('requestfailed', (request) => said.push(`failed: ${request.url()}`));
@@ -90,7 +92,7 @@ export async function openPage({ server, browser }, path = '', { html, css = '',
     await page.addInitScript(observe);
     if (html !== undefined) await servePage(page, path, html, css);
     await page.goto(server.url + path);
-    return { page, context, said };
+    return { page, context, said, fetched };
 }
 
 async function servePage(page, path, html, css) {
