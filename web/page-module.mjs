@@ -16,6 +16,7 @@ import { makeApi } from './api.mjs';
  * @property {(id: number, scene: number) => void} attach
  * @property {(id: number, theme: string) => void} setTheme
  * @property {(id: number, shown: boolean) => void} setPanel
+ * @property {(id: number, json: string) => void} setWords
  * @property {(id: number, readOnly: boolean) => void} setReadOnly
  * @property {(id: number, reduced: boolean) => void} setReducedMotion
  * @property {(id: number) => void} focus

@@ -121,6 +121,19 @@ export class Words {
         return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(dotted) ? Number(dotted) : NaN;
     }
 
+    /** What the picture itself says, and its panel. */
+    picture() {
+        return {
+            order: this.text('picture.order', { 0: '{0}', 1: '{1}' }),
+            decimalPoint: this.#decimal('.'),
+            undo: this.text('undo'),
+            redo: this.text('redo'),
+            add: this.text('picture.add'),
+            remove: this.text('picture.remove'),
+            local: this.label('Local curve'),
+        };
+    }
+
     /** @param {string} text */
     #decimal(text) {
         return this.language === 'nb' ? text.replace('.', ',') : text;

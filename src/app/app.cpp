@@ -164,7 +164,9 @@ void App::attach(int id, std::shared_ptr<scene::Scene> scene) {
     Parts::Slot* slot = parts_->find(id);
     if (slot == nullptr) return;
     slot->view.attach(std::move(scene));
+    ui::PanelWords words = std::move(slot->panel.words);
     slot->panel = {};
+    slot->panel.words = std::move(words);
     parts_->arrange(id);
 }
 
@@ -178,6 +180,25 @@ void App::setPanel(int id, bool shown) {
     slot->wantsPanel = shown;
     parts_->arrange(id);
     slot->view.touch();
+}
+
+void App::setWords(int id, const std::string& json) {
+    Parts::Slot* slot = parts_->find(id);
+    const auto words = scene::parseJson(json);
+    if (slot == nullptr || !words) return;
+    const auto take = [&](std::string_view name, std::string& word) {
+        word = scene::stringOr(*words, name, word);
+    };
+    Words picture;
+    take("order", picture.order);
+    take("decimalPoint", picture.decimalPoint);
+    slot->view.setWords(std::move(picture));
+    ui::PanelWords& panel = slot->panel.words;
+    take("undo", panel.undo);
+    take("redo", panel.redo);
+    take("add", panel.add);
+    take("remove", panel.remove);
+    take("local", panel.local);
 }
 
 void App::setReadOnly(int id, bool readOnly) {

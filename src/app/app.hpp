@@ -32,6 +32,9 @@ public:
     void attach(int id, std::shared_ptr<scene::Scene> scene);
     void setTheme(int id, const std::string& theme);
     void setPanel(int id, bool shown);
+    /// { order, decimalPoint, undo, redo, add, remove, local }, each optional: the words that the
+    /// picture and the panel have of their own; `order` has {0} and {1} for the orders at 0 and 1.
+    void setWords(int id, const std::string& json);
     void setReadOnly(int id, bool readOnly);
     void setReducedMotion(int id, bool reduced);
     void focus(int id);

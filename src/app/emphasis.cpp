@@ -87,7 +87,7 @@ void addParameterLine(PaneFigure& pane, double t, bool named, const ui::Theme& c
     pane.plot.labels.push_back({"t = " + ui::numberText(t, 3),
                                 {pane.plot.map.pixelX(t) + (left ? -6 : 6), pane.plot.area.y - 2},
                                 left ? ui::Align::right : ui::Align::left, ui::Baseline::middle,
-                                11, true, colours.accent});
+                                11, true, colours.accent, true});
 }
 
 bool onCurve(const Emphasis& emphasis) noexcept {

@@ -160,6 +160,7 @@ void addBFunction(Figure& figure, const FigureRequest& request, const Box& box,
         if (rows.empty()) break;
         content.values.push_back(ui::extentY(rows));
     }
+    content.orderWords = request.orderWords;
     content.order = orderOf(*request.state, object);
     for (ui::Plot& plot : ui::bFunctionPlots(box, content, colours)) {
         addPlot(figure, std::move(plot), object, request);

@@ -59,6 +59,12 @@ struct Figure {
     [[nodiscard]] const PaneFigure* find(Pane pane) const noexcept;
 };
 
+/// What a picture says in words, in the reader's language.
+struct Words {
+    std::string order = "order {0} at 0, {1} at 1";
+    std::string decimalPoint = ".";
+};
+
 struct FigureRequest {
     const drawing::Drawing* drawing = nullptr;
     const scene::State* state = nullptr;
@@ -67,6 +73,7 @@ struct FigureRequest {
     int object = -1;         ///< whose functions are plotted, or the first that has some
     double curveAspect = 1;  ///< width of what the camera fits over its height
     bool dark = false;
+    std::string orderWords = Words{}.order;
     Emphasis emphasis;
     /// During the drag of a knot the axis must stay, or the knot would run away from the pointer.
     std::optional<Interval> frozenRange;

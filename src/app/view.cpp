@@ -40,9 +40,14 @@ std::string_view baselineName(ui::Baseline baseline) noexcept {
                                               : "middle";
 }
 
-Json labelJson(const ui::Label& label) {
+std::string withPoint(std::string text, const std::string& point) {
+    const std::size_t at = text.find('.');
+    return at == std::string::npos ? text : text.replace(at, 1, point);
+}
+
+Json labelJson(const ui::Label& label, const Words& words) {
     Json json = Json::object();
-    json["text"] = label.text;
+    json["text"] = label.number ? withPoint(label.text, words.decimalPoint) : label.text;
     json["x"] = label.at.x;
     json["y"] = label.at.y;
     json["align"] = alignName(label.align);
@@ -91,6 +96,11 @@ void View::setReadOnly(bool readOnly) {
     readOnly_ = readOnly;
 }
 
+void View::setWords(Words words) {
+    words_ = std::move(words);
+    touch();
+}
+
 void View::setInset(double inset) {
     if (inset == inset_) return;
     inset_ = inset;
@@ -114,7 +124,11 @@ void View::tick(double seconds) {
     lastTick_ = seconds;
     const double before = clock_.phase();
     clock_.advance(seconds);
-    if (clock_.phase() != before) stale_ = true;
+    if (clock_.phase() != before) {
+        stale_ = true;
+        // Things move away from a resting pointer.
+        if (pointedAt_ && hold_ == Hold::nothing) hover({"move", lastAt_, 0, 0, "mouse", 0});
+    }
     if (camera_.gliding()) {
         camera_.advance(elapsed);
         touch();
@@ -157,6 +171,7 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.object = emphasis_.selected ? emphasis_.selected->object : -1;
     request.curveAspect = aspectOf(bounds_);
     request.dark = dark_;
+    request.orderWords = words_.order;
     request.emphasis = emphasis_;
     request.emphasis.quiet = clock_.running() && !pointedAt_ && !emphasis_.selected;
     request.frozenRange = frozenRange_;
@@ -254,7 +269,9 @@ std::string View::selection() const {
 std::string View::labels() const {
     Json list = Json::array();
     for (const PaneFigure& pane : figure_.panes) {
-        for (const ui::Label& label : pane.plot.labels) list.push_back(labelJson(label));
+        for (const ui::Label& label : pane.plot.labels) {
+            list.push_back(labelJson(label, words_));
+        }
     }
     return scene::dumpJson(list);
 }

@@ -35,6 +35,7 @@ public:
     void setDark(bool dark);
     void setReadOnly(bool readOnly);
     void setReducedMotion(bool reduced) noexcept { reducedMotion_ = reduced; }
+    void setWords(Words words);
     /// Width at the left that is covered by a panel and left free by the figure.
     void setInset(double inset);
     void fit();
@@ -121,6 +122,7 @@ private:
     bool dark_ = false;
     bool readOnly_ = false;
     bool reducedMotion_ = false;
+    Words words_;
 
     Editor editor_;
     Clock clock_;

@@ -38,7 +38,7 @@ bool View::pointer(const PointerInput& input) {
     if (scene() == nullptr) return false;
     const bool over = input.kind == "down" || input.kind == "move" ||
                       (input.kind == "up" && input.pointerType != "touch");
-    if (over != pointedAt_) touch();
+    if (over != pointedAt_ && clock_.running()) touch();  // handles come and go
     pointedAt_ = over;
     if (input.kind == "down") return press(input);
     if (input.kind == "move") return follow(input);
@@ -114,7 +114,7 @@ bool View::follow(const PointerInput& input) {
 bool View::release(const PointerInput& input) {
     const Hold was = hold_;
     if (was == Hold::dragging) {
-        dragTo(input);
+        if (distance(input.at, lastAt_) > 0) dragTo(input);
         editor_.endGesture("pointer");
     }
     if (was == Hold::pressedEmpty || (was == Hold::nothing && input.pointerType == "touch")) {

@@ -53,11 +53,14 @@ void name(Plot& plot, std::size_t order, const Theme& colours) {
 
 }  // namespace
 
-std::string orderText(const std::array<double, 2>& order) {
-    const auto number = [](double value) {
-        return std::isinf(value) ? std::string("∞") : numberText(value, 0);
-    };
-    return "order " + number(order[0]) + " at 0, " + number(order[1]) + " at 1";
+std::string orderText(std::string words, const std::array<double, 2>& order) {
+    for (std::size_t end = 0; end < order.size(); ++end) {
+        const std::string place = "{" + std::to_string(end) + "}";
+        const std::size_t at = words.find(place);
+        if (at == std::string::npos) continue;
+        words.replace(at, place.size(), std::isinf(order[end]) ? "∞" : numberText(order[end], 0));
+    }
+    return words;
 }
 
 std::string derivativeName(std::size_t order) {
@@ -102,7 +105,7 @@ std::vector<Plot> bFunctionPlots(const Box& box, const BFunctionContent& content
         name(plot, k, colours);
     }
     nameTicksX(plots.back(), niceTicks({0, 1}, ticksAcross(column.width)), colours);
-    plots.front().labels.push_back({orderText(content.order),
+    plots.front().labels.push_back({orderText(content.orderWords, content.order),
                                     {column.right(), box.y + plotMargins.top + titleHeight / 2 - 3},
                                     Align::right, Baseline::middle, 12, false, colours.text});
     return plots;

@@ -15,10 +15,11 @@ namespace knotwork::ui {
 struct BFunctionContent {
     std::vector<Interval> values;  ///< row k: extent of the k-th derivative
     std::array<double, 2> order{0, 0};  ///< Hermite order at 0 and at 1, infinity allowed
+    std::string orderWords = "order {0} at 0, {1} at 1";
 };
 
-/// `order 2 at 0, ∞ at 1`.
-[[nodiscard]] std::string orderText(const std::array<double, 2>& order);
+/// The words with the two orders in their places: `order 2 at 0, ∞ at 1`.
+[[nodiscard]] std::string orderText(std::string words, const std::array<double, 2>& order);
 /// `B`, `B′`, `B″`, `B‴`, then `B⁽⁴⁾`.
 [[nodiscard]] std::string derivativeName(std::size_t order);
 

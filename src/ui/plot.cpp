@@ -63,14 +63,16 @@ void addGridY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours) 
 void nameTicksX(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours) {
     for (const Tick& tick : ticks) {
         plot.labels.push_back({tick.text, {plot.map.pixelX(tick.at), plot.area.bottom() + 7},
-                               Align::centre, Baseline::top, 11, false, colours.mutedText});
+                               Align::centre, Baseline::top, 11, false, colours.mutedText,
+                               true});
     }
 }
 
 void nameTicksY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours) {
     for (const Tick& tick : ticks) {
         plot.labels.push_back({tick.text, {plot.area.x - 8, plot.map.pixelY(tick.at)},
-                               Align::right, Baseline::middle, 11, false, colours.mutedText});
+                               Align::right, Baseline::middle, 11, false, colours.mutedText,
+                               true});
     }
 }
 

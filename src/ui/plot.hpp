@@ -29,6 +29,7 @@ struct Label {
     double size = 11;  ///< CSS pixels
     bool strong = false;
     Colour colour;
+    bool number = false;  ///< holds a number, whose decimal point is the language's
 };
 
 /// Straight pieces in a plot's plane, two points each.

@@ -139,7 +139,7 @@ TEST(BasisPlot, ShowsZeroToOneWhateverIsDrawn) {
 
 TEST(BFunctionPlot, GivesEveryDerivativeARowOfItsOwn) {
     const Box box{0, 0, 500, 600};
-    const auto plots = bFunctionPlots(box, {{{0, 1}, {0, 2}, {-9.3, 9.3}}, {1, 1}}, light());
+    const auto plots = bFunctionPlots(box, {{{0, 1}, {0, 2}, {-9.3, 9.3}}}, light());
     ASSERT_EQ(plots.size(), 3u);
     EXPECT_GT(plots[0].area.height, plots[1].area.height);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -153,14 +153,14 @@ TEST(BFunctionPlot, GivesEveryDerivativeARowOfItsOwn) {
 }
 
 TEST(BFunctionPlot, KeepsBWhereThereIsRoomForNothingElse) {
-    const auto plots = bFunctionPlots({0, 0, 300, 150}, {{{0, 1}, {0, 2}, {-6, 6}}, {1, 1}}, light());
+    const auto plots = bFunctionPlots({0, 0, 300, 150}, {{{0, 1}, {0, 2}, {-6, 6}}}, light());
     ASSERT_EQ(plots.size(), 1u);
     EXPECT_EQ(plots[0].index, 0);
 }
 
 TEST(BFunctionPlot, SaysTheHermiteOrderAtBothEnds) {
     const double infinite = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(orderText({infinite, 2}), "order ∞ at 0, 2 at 1");
+    EXPECT_EQ(orderText("orden {0} ved 0, {1} ved 1", {infinite, 2}), "orden ∞ ved 0, 2 ved 1");
     const auto plots = bFunctionPlots({0, 0, 500, 600}, {{{0, 1}}, {1, infinite}}, light());
     EXPECT_NE(labelWith(plots, "order 1 at 0, ∞ at 1"), nullptr);
 }
