@@ -313,6 +313,8 @@ export interface FieldDescription {
     group: string;
     help: string;
     value: unknown;
+    /** The least and the largest value; null for no bound. */
+    range: [number | null, number | null];
     min?: number;
     max?: number;
     minOpen?: boolean;
