@@ -244,6 +244,25 @@ TEST(BsplineSampler, AtAGapTheRightSideIsTaken) {
     }
 }
 
+// A step up at every knot, and samples on the knots: rounding must not give one to the wrong side.
+TEST(BsplineSampler, SamplesThatFallOnGapsAreOnTheRightSide) {
+    constexpr int steps = 20;
+    std::vector<double> knots;
+    std::vector<Vec3> points;
+    for (int i = 0; i <= steps; ++i) knots.insert(knots.end(), 2, i);
+    for (int i = 0; i < steps; ++i) points.insert(points.end(), 2, Vec3(i, 0, 0));
+    const auto vector = KnotVector::make(knots, 1, 2 * steps, Form::clamped).value();
+    const BsplineSampler sampler(BsplineCurve::make(vector, points, 2).value());
+    for (std::size_t part = 1; part <= 60; ++part) {
+        const std::size_t total = steps * part + 1;
+        const auto xyz = uniformSamples(sampler, total);
+        for (std::size_t i = 0; i + 1 < total; ++i) {
+            const double t = uniformParameter({0, steps}, i, total);
+            ASSERT_EQ(xyz[3 * i], std::floor(t)) << "sample " << i << " of " << total;
+        }
+    }
+}
+
 TEST(BsplineSampler, FewSamplesOfManySpansAndManySamplesOfFew) {
     RandomSplines random(60);
     std::vector<Vec3> points;
