@@ -90,19 +90,33 @@ void addParameterLine(PaneFigure& pane, double t, bool named, const ui::Theme& c
                                 11, true, colours.accent, true});
 }
 
-bool onCurve(const Emphasis& emphasis) noexcept {
-    return emphasis.parameterPane != Pane::bFunction;
+/// A parameter to be shown, and whether it is one of the curve (else of the B-function).
+struct ShownParameter {
+    double t = 0;
+    bool ofCurve = true;
+};
+
+/// The one that is pointed at, or that of the knot that is pointed at or selected.
+std::optional<ShownParameter> shownParameter(const Emphasis& emphasis) noexcept {
+    if (emphasis.parameter) {
+        return ShownParameter{*emphasis.parameter, emphasis.parameterPane != Pane::bFunction};
+    }
+    for (const auto* target : {&emphasis.hovered, &emphasis.selected}) {
+        if (*target && (*target)->kind == TargetKind::knot) {
+            return ShownParameter{(*target)->at.x, true};
+        }
+    }
+    return std::nullopt;
 }
 
 void addParameterLines(Figure& figure, const FigureRequest& request) {
-    const Emphasis& emphasis = request.emphasis;
-    if (!emphasis.parameter) return;
+    const auto shown = shownParameter(request.emphasis);
+    if (!shown) return;
     bool named = false;
     for (PaneFigure& pane : figure.panes) {
-        const bool shown = pane.plot.pane != Pane::curve &&
-                           (pane.plot.pane == Pane::bFunction) != onCurve(emphasis);
-        if (!shown) continue;
-        addParameterLine(pane, *emphasis.parameter, !named, coloursOf(request));
+        const Pane kind = pane.plot.pane;
+        if (kind == Pane::curve || (kind == Pane::bFunction) == shown->ofCurve) continue;
+        addParameterLine(pane, shown->t, !named, coloursOf(request));
         named = true;
     }
 }
@@ -118,13 +132,14 @@ void addStretch(PaneFigure& pane, const FigureRequest& request,
     pane.below.push_back(std::move(stretch));
 }
 
-void addDot(Figure& figure, const FigureRequest& request, const std::vector<scene::Placed>& all) {
+void addDot(Figure& figure, const FigureRequest& request, const std::vector<scene::Placed>& all,
+            double at) {
     const PaneFigure* plot = figure.find(Pane::knots);
     if (plot == nullptr) plot = figure.find(Pane::basis);
     if (plot == nullptr) return;
     const scene::Placed* placed = placedOf(all, *request.state, plot->plot.object);
     if (placed == nullptr) return;
-    const auto t = parameterInDomain(placed->curve, *request.emphasis.parameter);
+    const auto t = parameterInDomain(placed->curve, at);
     if (!t) return;
     figure.panes.front().above.push_back(dotAt(
         placed->placement.point(pointAt(placed->curve, *t)), coloursOf(request).accent));
@@ -178,11 +193,12 @@ void addEmphasis(Figure& figure, const FigureRequest& request) {
     addParameterLines(figure, request);
     if (figure.panes.empty() || figure.panes.front().plot.pane != Pane::curve) return;
     const auto ruling = ruler(request.emphasis);
-    const bool dotted = request.emphasis.parameter && onCurve(request.emphasis);
+    const auto shown = shownParameter(request.emphasis);
+    const bool dotted = shown && shown->ofCurve;
     if (!ruling && !dotted) return;
     const auto placed = scene::place(*request.state, request.moment);
     if (ruling) addStretch(figure.panes.front(), request, placed, ruling->first, ruling->second);
-    if (dotted) addDot(figure, request, placed);
+    if (dotted) addDot(figure, request, placed, shown->t);
 }
 
 }  // namespace knotwork::app

@@ -188,6 +188,19 @@ TEST(Hover, ABasisFunctionLightsUpItsPoint) {
     EXPECT_FALSE(play.view.figure()->find(Pane::curve)->below.empty());
 }
 
+TEST(Hover, AKnotShowsItsPlaceInAllPanes) {
+    Playground play(spline);
+    const Pixel at = play.pixelOf("objects[0].knots[4]");
+    play.view.select("");
+    play.event("move", at, 0);
+    const Figure* figure = play.view.figure();
+    ASSERT_EQ(figure->find(Pane::curve)->above.size(), 1u);
+    const Vec3 dot = positionOf(figure->find(Pane::curve)->above.front(), 0);
+    EXPECT_EQ(dot, pointAt(play.scene->state().objects[0]->curve, 1));
+    EXPECT_EQ(figure->find(Pane::basis)->plot.over.size(), 1u);
+    EXPECT_EQ(figure->find(Pane::knots)->plot.over.size(), 1u);
+}
+
 TEST(Hover, FollowsWhatMovesAwayFromARestingPointer) {
     Playground play(blend);
     const Pixel at = play.pixelOf("objects[0].poses[1]");
