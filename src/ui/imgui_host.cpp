@@ -18,11 +18,10 @@ namespace {
 
 constexpr double fontSize = 15;  // CSS pixels
 
-// The ranges that the build cuts out of the font (cmake/UiFont.cmake), in ImGui's form.
-constexpr std::array<ImWchar, 27> glyphRanges{
-    0x0020, 0x007e, 0x00a0, 0x017f, 0x0391, 0x03c9, 0x2010, 0x203a, 0x2070, 0x209c, 0x2190, 0x21ff,
-    0x2200, 0x2265, 0x2297, 0x2297, 0x22c5, 0x22c5, 0x25a0, 0x25ff, 0x23f8, 0x23f8, 0x2713, 0x2717,
-    0xfffd, 0xfffd, 0};
+// Everything of the font's that lies in these blocks; the build decides what the font has
+// (cmake/UiFont.cmake).
+constexpr std::array<ImWchar, 11> glyphRanges{0x0020, 0x024f, 0x0370, 0x03ff, 0x2000, 0x22ff,
+                                              0x23f8, 0x27bf, 0xfffd, 0xfffd, 0};
 
 /// How many frames Dear ImGui takes to settle after an input: one sees it, one lays out what
 /// follows, one paints what that has moved.
@@ -244,9 +243,10 @@ bool ImGuiHost::hits(double x, double y) const noexcept {
     const auto contains = [at](const ImGuiWindow* window) {
         return window->Active && !window->Hidden && window->Rect().Contains(at);
     };
-    return std::any_of(context_->Windows.begin(), context_->Windows.end(), [&](ImGuiWindow* window) {
-        return !(window->Flags & (ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_Tooltip)) &&
-               !window->IsFallbackWindow && contains(window);
+    constexpr int intangible = ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_Tooltip;
+    const auto& windows = context_->Windows;
+    return std::any_of(windows.begin(), windows.end(), [&](const ImGuiWindow* window) {
+        return !(window->Flags & intangible) && !window->IsFallbackWindow && contains(window);
     });
 }
 

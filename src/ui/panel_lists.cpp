@@ -85,7 +85,8 @@ Json addCommand(const PanelEditor& editor, const PanelField& field) {
     const std::string end = editor.address(indexed(field.path, list.size()));
     if (field.kind == FieldKind::points) return {{"insert", end}, {"value", nextPoint(list)}};
     if (field.path == "knots" && list.size() > 1) {
-        return {{"insertKnot", {{"object", editor.object().id}, {"at", widestSpan(numbersOf(list))}}}};
+        const double at = widestSpan(numbersOf(list));
+        return {{"insertKnot", {{"object", editor.object().id}, {"at", at}}}};
     }
     return nullptr;
 }

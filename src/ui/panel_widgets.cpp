@@ -17,7 +17,8 @@ using scene::FieldKind;
 using scene::Json;
 using scene::PanelField;
 
-constexpr float labelShare = 0.42F;  // of the panel's width
+constexpr float labelShare = 0.38F;  // of the panel's width
+constexpr float numberWidth = 3.4F;  // in font sizes: room for -0.0001 behind a slider
 constexpr int mostSteps = 100;       // beyond this many values an integer is dragged, not slid
 
 double numberOf(const Json& value) {
@@ -31,22 +32,56 @@ std::pair<double, double> sliderEnds(const PanelField& field) {
             field.maxOpen && field.high >= field.max ? field.high - margin : field.high};
 }
 
+/// The sign of a choice, at the right end of the last item.
+void drawChevron() {
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float unit = 0.22F * ImGui::GetFontSize();
+    const ImVec2 middle(high.x - 4 * unit,
+                        0.5F * (ImGui::GetItemRectMin().y + high.y) + 0.5F * unit);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PathLineTo({middle.x - unit, middle.y - unit});
+    draw.PathLineTo(middle);
+    draw.PathLineTo({middle.x + unit, middle.y - unit});
+    draw.PathStroke(ImGui::GetColorU32(ImGuiCol_Text), ImDrawFlags_None, 1.5F);
+}
+
+/// The track and the knob of the slider that was the last item, at `share` of its length.
+void drawSlider(double share) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float radius = 0.28F * (high.y - low.y);
+    const float y = 0.5F * (low.y + high.y);
+    const float start = low.x + radius;
+    const float end = high.x - radius;
+    const float knob = start + (end - start) * static_cast<float>(std::clamp(share, 0.0, 1.0));
+    const bool lively = ImGui::IsItemActive() || ImGui::IsItemHovered();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const ImU32 rest = ImGui::GetColorU32(ImGuiCol_FrameBgActive);
+    const ImU32 accent = ImGui::GetColorU32(ImGuiCol_SliderGrab);
+    draw.AddRectFilled({low.x, y - 2}, {high.x, y + 2}, rest, 2);
+    draw.AddRectFilled({low.x, y - 2}, {knob, y + 2}, accent, 2);
+    if (lively) {
+        draw.AddCircleFilled({knob, y}, radius + 4, ImGui::GetColorU32(ImGuiCol_SliderGrab, 0.25F));
+    }
+    draw.AddCircleFilled({knob, y}, radius, accent);
+}
+
 void number(PanelEditor& editor, const PanelField& field) {
     double value = numberOf(field.value);
     const auto [low, high] = sliderEnds(field);
-    const bool edited =
-        field.slider ? ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &low, &high, "%.4g")
-                     : dragNumbers({&value, 1}, dragSpeed(value));
+    const bool edited = field.slider ? slideNumber(value, low, high)
+                                     : dragNumbers({&value, 1}, dragSpeed(value));
     if (edited) editor.hold(field.path, field.path, value);
 }
 
 void integer(PanelEditor& editor, const PanelField& field) {
     int value = static_cast<int>(std::lround(std::clamp(numberOf(field.value), -2e9, 2e9)));
     const bool few = field.slider && field.high - field.low <= mostSteps;
-    const bool edited = few ? ImGui::SliderInt("##value", &value, static_cast<int>(field.low),
-                                               static_cast<int>(field.high))
+    double exact = value;
+    const bool edited = few ? slideNumber(exact, field.low, field.high)
                             : ImGui::DragInt("##value", &value, 0.2F);
-    if (edited) editor.hold(field.path, field.path, value);
+    const int chosen = few ? static_cast<int>(std::lround(exact)) : value;
+    if (edited && chosen != numberOf(field.value)) editor.hold(field.path, field.path, chosen);
 }
 
 void choice(PanelEditor& editor, const PanelField& field) {
@@ -54,7 +89,9 @@ void choice(PanelEditor& editor, const PanelField& field) {
     const auto shown = std::find_if(field.choices.begin(), field.choices.end(),
                                     [&](const auto& each) { return each.first == current; });
     const std::string& label = shown == field.choices.end() ? current : shown->second;
-    if (!ImGui::BeginCombo("##value", label.c_str(), ImGuiComboFlags_HeightLarge)) return;
+    constexpr ImGuiComboFlags looks = ImGuiComboFlags_HeightLarge | ImGuiComboFlags_NoArrowButton;
+    const bool open = ImGui::BeginCombo("##value", label.c_str(), looks);
+    if (!open) return drawChevron();
     for (const auto& [value, name] : field.choices) {
         if (ImGui::Selectable(name.c_str(), value == current) && value != current) {
             editor.set(field.path, value);
@@ -63,9 +100,9 @@ void choice(PanelEditor& editor, const PanelField& field) {
     ImGui::EndCombo();
 }
 
-void flag(PanelEditor& editor, const PanelField& field) {
+void flag(PanelEditor& editor, const PanelField& field, const std::string& label) {
     bool value = field.value.is_boolean() && field.value.get<bool>();
-    if (ImGui::Checkbox("##value", &value)) editor.set(field.path, value);
+    if (ImGui::Checkbox((label + "##value").c_str(), &value)) editor.set(field.path, value);
 }
 
 // What is typed counts once it is finished: half a name is not a name.
@@ -112,7 +149,7 @@ void widget(PanelEditor& editor, const PanelField& field) {
     switch (field.kind) {
         case FieldKind::number: return number(editor, field);
         case FieldKind::integer: return integer(editor, field);
-        case FieldKind::flag: return flag(editor, field);
+        case FieldKind::flag: return flag(editor, field, "");
         case FieldKind::choice: return choice(editor, field);
         case FieldKind::text: return text(editor, field);
         case FieldKind::colour: return colour(editor, field);
@@ -125,12 +162,46 @@ void widget(PanelEditor& editor, const PanelField& field) {
 
 }  // namespace
 
+void flagGrid(PanelEditor& editor, std::span<const PanelField> flags) {
+    const float second = 0.56F * ImGui::GetContentRegionMax().x;
+    for (std::size_t i = 0; i < flags.size(); ++i) {
+        if (i % 2 == 1) ImGui::SameLine(second);
+        ImGui::PushID(flags[i].path.c_str());
+        flag(editor, flags[i], flags[i].label);
+        if (!flags[i].help.empty()) ImGui::SetItemTooltip("%s", flags[i].help.c_str());
+        refusalText(editor.refusalOf(flags[i].path), editor.colours());
+        ImGui::PopID();
+    }
+}
+
 double dragSpeed(double value) noexcept { return 0.005 * std::max(1.0, std::abs(value)); }
 
 bool dragNumbers(std::span<double> values, double speed) {
     return ImGui::DragScalarN("##value", ImGuiDataType_Double, values.data(),
                               static_cast<int>(values.size()), static_cast<float>(speed), nullptr,
                               nullptr, "%.4g");
+}
+
+// Dear ImGui's own slider does the sliding, unseen: its number would stand on top of its knob.
+bool slideNumber(double& value, double low, double high) {
+    const float total = ImGui::GetContentRegionAvail().x;
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float typed = numberWidth * ImGui::GetFontSize();
+    constexpr std::array unseen{ImGuiCol_Text,          ImGuiCol_FrameBg,
+                                ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                                ImGuiCol_SliderGrab,     ImGuiCol_SliderGrabActive};
+    for (const ImGuiCol part : unseen) ImGui::PushStyleColor(part, {0, 0, 0, 0});
+    ImGui::SetNextItemWidth(total - typed - gap);
+    bool edited = ImGui::SliderScalar("##slide", ImGuiDataType_Double, &value, &low, &high, "%.4g",
+                                      ImGuiSliderFlags_NoInput);
+    ImGui::PopStyleColor(static_cast<int>(unseen.size()));
+    drawSlider((value - low) / (high - low));
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(typed);
+    const double step = (high - low) / 400;
+    edited = ImGui::DragScalar("##value", ImGuiDataType_Double, &value, static_cast<float>(step),
+                               nullptr, nullptr, "%.4g") || edited;
+    return edited;
 }
 
 void rowLabel(std::string_view label, std::string_view help) {
