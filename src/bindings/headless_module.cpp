@@ -2,6 +2,16 @@
 #include "bindings/session.hpp"
 
 #include <emscripten/bind.h>
+#include <malloc.h>
+
+namespace {
+
+/// Bytes that the module has allocated and not freed: flat memory can be tested to the byte.
+double memoryInUse(const knotwork::bindings::Session&) {
+    return static_cast<double>(mallinfo().uordblks);
+}
+
+}  // namespace
 
 EMSCRIPTEN_BINDINGS(knotwork_session) {
     using knotwork::bindings::Session;
@@ -16,6 +26,7 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("release", &Session::release)
         .function("inputText", &Session::inputText)
         .function("held", &Session::held)
+        .function("memoryInUse", &memoryInUse)
         .function("bFunction", &Session::bFunction)
         .function("bFunctionSpec", &Session::bFunctionSpec)
         .function("bFunctionTraits", &Session::bFunctionTraits)

@@ -1,0 +1,126 @@
+// Nothing is left behind: handles and memory after many values, many refusals and collected garbage.
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { test } from 'node:test';
+
+import { distribution, load, refuses } from './support.mjs';
+
+const kw = await load();
+const cubic = { type: 'bspline-curve', degree: 3, points: Array.from({ length: 20 }, (_, i) => [i, (i * 7) % 5]) };
+const blend = {
+    type: 'blending-curve', bFunction: { family: 'expo-rational', beta: 2 },
+    model: { type: 'parametric-curve', name: 'butterfly' }, locals: { count: 12 },
+};
+const scene = { knotwork: 1, objects: [cubic, blend], effects: [{ target: 'c1', kind: 'rotate' }] };
+
+const lives = {
+    'curves that are sampled': [10_000, () => {
+        const curve = kw.curve(cubic);
+        curve.sample(50);
+        curve.dispose();
+    }],
+    'refined curves': [2000, () => {
+        const curve = kw.curve(cubic);
+        const refined = curve.insertKnot(0.5, 2);
+        refined.basis(0.3, { derivatives: 2 });
+        refined.polyline({ tolerance: 0.01 });
+        refined.dispose();
+        curve.dispose();
+    }],
+    'blending curves': [500, () => {
+        const curve = kw.curve(blend);
+        const posed = curve.withPose(3, { translate: [1, 0] });
+        posed.sample(20);
+        posed.dispose();
+        curve.dispose();
+    }],
+    'B-functions': [10_000, () => {
+        const b = kw.bFunction({ family: 'logistic', c: 2 });
+        b.sample(10);
+        b.dispose();
+    }],
+    'scenes with a history': [300, () => {
+        const one = kw.scene(scene);
+        for (let i = 0; i < 5; ++i) one.execute({ move: 'objects[0].points[3]', by: [0.1, 0] });
+        one.undo();
+        one.drawing({ phase: 0.4, tolerance: 0.1 });
+        one.dispose();
+    }],
+    'refused curves': [10_000, () => refuses(() => kw.curve({ ...cubic, degree: 0 }), 'OUT_OF_RANGE', 'degree')],
+    'refused calls': [10_000, () => refuses(() => kw.bFunction({ family: 'no' }), 'UNKNOWN_NAME', 'family')],
+};
+
+for (const [name, [times, live]] of Object.entries(lives)) {
+    test(`${times} lives of ${name} leave handles and memory as they were`, () => {
+        for (let i = 0; i < 20; ++i) live();
+        const [held, bytes] = [kw.session.held(), kw.session.memoryInUse()];
+        for (let i = 0; i < times; ++i) live();
+        assert.equal(kw.session.held(), held);
+        assert.equal(kw.session.memoryInUse(), bytes);
+    });
+}
+
+test('handles that were released do not name what comes after them', () => {
+    const first = kw.scene({ knotwork: 1, objects: [] });
+    const old = first.handle;
+    first.dispose();
+    const second = kw.scene({ knotwork: 1, objects: [] });
+    assert.notEqual(second.handle, old);
+    assert.equal(kw.session.sceneDocument(old), '');
+    assert.equal(JSON.parse(kw.session.error()).code, 'DISPOSED');
+    second.dispose();
+});
+
+test('what nobody refers to any more is released with the garbage', () => {
+    const script = `
+        const { load } = await import(${JSON.stringify(new URL('knotwork.mjs', distribution).href)});
+        const kw = await load();
+        for (let i = 0; i < 2000; ++i) kw.bFunction({ family: 'linear' });
+        for (let i = 0; i < 20 && kw.session.held() > 100; ++i) {
+            gc();
+            await new Promise((resolve) => setTimeout(resolve, 10));
+        }
+        console.log(kw.session.held() <= 100 ? 'released' : kw.session.held());`;
+    const printed = execFileSync(process.execPath, ['--expose-gc', '--input-type=module', '-e', script], { encoding: 'utf8' });
+    assert.equal(printed.trim(), 'released');
+});
+
+test('a value that was disposed of is not released twice by the garbage', () => {
+    const script = `
+        const { load } = await import(${JSON.stringify(new URL('knotwork.mjs', distribution).href)});
+        const kw = await load();
+        for (let i = 0; i < 500; ++i) kw.bFunction({ family: 'linear' }).dispose();
+        const kept = Array.from({ length: 300 }, () => kw.bFunction({ family: 'linear' }));
+        for (let i = 0; i < 5; ++i) {
+            gc();
+            await new Promise((resolve) => setTimeout(resolve, 10));
+        }
+        console.log(kw.session.held(), kept.every((b) => b.value(0.5) === 0.5));`;
+    const printed = execFileSync(process.execPath, ['--expose-gc', '--input-type=module', '-e', script], { encoding: 'utf8' });
+    assert.equal(printed.trim(), '300 true');
+});
+
+test('the second identical call takes no more memory than the first', () => {
+    const curve = kw.curve(cubic);
+    const into = new Float64Array(3 * 200_000);
+    const work = () => {
+        curve.sample(200_000, { into });
+        curve.polyline({ tolerance: 1e-5 });
+    };
+    work();
+    const bytes = kw.session.memoryInUse();
+    work();
+    assert.equal(kw.session.memoryInUse(), bytes);
+    curve.dispose();
+    assert.ok(kw.session.memoryInUse() < bytes);
+});
+
+test('a module that ran out of memory says so ever after, and the next is fresh', async () => {
+    const one = await load();
+    const value = one.bFunction({ family: 'linear' });
+    one.session.room = () => { throw new WebAssembly.RuntimeError('unreachable'); };
+    refuses(() => one.bFunction({ family: 'linear' }), 'OUT_OF_MEMORY', '');
+    refuses(() => value.value(0.5), 'OUT_OF_MEMORY', '');
+    value.dispose();
+    assert.equal((await load()).bFunction({ family: 'linear' }).value(0.5), 0.5);
+});

@@ -1,0 +1,144 @@
+// web/knotwork.d.ts against the module: it compiles strictly, it takes what it should and refuses
+// what it should, and it declares exactly the names that exist.
+import assert from 'node:assert/strict';
+import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { test } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+import ts from 'typescript';
+
+import { distribution, load } from './support.mjs';
+
+const declarations = fileURLToPath(new URL('knotwork.d.ts', distribution));
+const compilerOptions = {
+    strict: true, noEmit: true, target: ts.ScriptTarget.ES2022, module: ts.ModuleKind.NodeNext,
+    moduleResolution: ts.ModuleResolutionKind.NodeNext, lib: ['lib.es2022.d.ts', 'lib.dom.d.ts', 'lib.esnext.disposable.d.ts'], types: [],
+};
+
+/** What the compiler says about a file that uses the package. */
+async function complaints(text) {
+    const folder = await mkdtemp(path.join(tmpdir(), 'knotwork-types-'));
+    try {
+        const file = path.join(folder, 'usage.mts');
+        const module = path.relative(folder, declarations).replaceAll(path.sep, '/').replace(/\.d\.ts$/, '.mjs');
+        await writeFile(file, `import { load, KnotworkError } from '${module.replace('.mjs', '.js')}';\n${text}\nvoid load; void KnotworkError;\n`);
+        const program = ts.createProgram([file], compilerOptions);
+        return ts.getPreEmitDiagnostics(program).map(({ messageText }) => ts.flattenDiagnosticMessageText(messageText, '\n'));
+    } finally {
+        await rm(folder, { recursive: true });
+    }
+}
+
+const usage = `
+const kw = await load({ wasm: new Uint8Array(8) });
+const b = kw.bFunction({ family: 'mixed', of: [{ family: 'linear' }, { family: 'logistic', c: 2 }], weight: 0.5 });
+const orders: [number, number] = b.order;
+const values: Float64Array = b.sample(100, { into: new Float64Array(100) });
+const spline = kw.curve({ type: 'bspline-curve', degree: 3, points: [[0, 0], [1, 1, 2], [2, 0], [3, 1]] });
+const refined = spline.insertKnot(0.5, 2).insertKnot(0.25);
+const rows: number[][] = refined.basis(0.5, { derivatives: 2 });
+const flat = kw.curve({ type: 'bspline-curve', degree: 1, form: 'closed', points: new Float64Array(9), knots: new Float64Array(4) });
+const blend = kw.curve({
+    type: 'blending-curve', bFunction: b.spec, model: { type: 'parametric-curve', name: 'circle', parameters: { radius: 2 } },
+    locals: { count: 5 }, poses: [{ local: 0, translate: [1, 0], rotate: { axis: [0, 0, 1], angle: 1 }, scale: 2 }],
+});
+const posed = blend.withPose(1, { scale: [1, 2, 3] });
+const weights: number[] = posed.blendBasis(0);
+const { points, parameters } = posed.polyline({ tolerance: 0.01 });
+const derivatives: [number, number, number][] = posed.derivatives(0, 3, { side: 'left' });
+const scene = kw.scene({ knotwork: 1, objects: [{ id: 'c1', ...spline.spec, show: { polygon: false } }],
+    effects: [{ target: 'c1', kind: 'rotate', angle: 1, easing: { family: 'linear' } }] });
+scene.execute({ move: 'objects[0].points[2]', by: [1, 0], gesture: 'drag' });
+const shapes: { object: string, positions: Float64Array }[] = scene.drawing({ time: 2 }).shapes;
+const link: string = await kw.encodeLink(scene.document);
+kw.scene(await kw.decodeLink(link)).dispose();
+try { kw.curve(kw.scenes[0].document.objects![0]); } catch (error) {
+    if (error instanceof KnotworkError && error.code === 'OUT_OF_RANGE') console.log(error.path);
+}
+void [orders, values, rows, flat, weights, points, parameters, derivatives, shapes];
+`;
+
+test('a program that uses everything compiles strictly', async () => {
+    assert.deepEqual(await complaints(usage), []);
+});
+
+for (const [name, text] of [
+    ['a family that does not exist', "(await load()).bFunction({ family: 'sine' });"],
+    ['a parameter of another family', "(await load()).bFunction({ family: 'linear', c: 1 });"],
+    ['a parameter as text', "(await load()).bFunction({ family: 'logistic', c: '1' });"],
+    ['a curve without points', "(await load()).curve({ type: 'bspline-curve', degree: 3 });"],
+    ['a method of another kind of curve', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).knots;"],
+    ['single precision', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).sample(3, { into: new Float32Array(9) });"],
+    ['a code that does not exist', "new KnotworkError('OOPS', '', '');"],
+    ['changing what is read only', "(await load()).bFunction({ family: 'linear' }).order = [0, 0];"],
+]) {
+    test(`${name} does not compile`, async () => {
+        assert.notDeepEqual(await complaints(text), []);
+    });
+}
+
+const program = ts.createProgram([declarations], compilerOptions);
+const checker = program.getTypeChecker();
+const exported = checker.getExportsOfModule(checker.getSymbolAtLocation(program.getSourceFile(declarations)));
+
+/** The names that an exported interface or class declares, inherited ones included. */
+function declared(name) {
+    const symbol = exported.find((one) => one.name === name);
+    const names = checker.getDeclaredTypeOfSymbol(symbol).getProperties().map((one) => one.name);
+    return names.filter((one) => !one.startsWith('__@')).sort();
+}
+
+/** The names that a value really has, those of Object aside. */
+function real(value) {
+    const names = new Set(Object.keys(value));
+    for (let at = Object.getPrototypeOf(value); at !== Object.prototype; at = Object.getPrototypeOf(at)) {
+        for (const name of Object.getOwnPropertyNames(at)) names.add(name);
+    }
+    names.delete('constructor');
+    return [...names].sort();
+}
+
+const kw = await load();
+const circle = { type: 'parametric-curve', name: 'circle' };
+const values = {
+    Knotwork: kw,
+    BFunction: kw.bFunction({ family: 'linear' }),
+    BsplineCurve: kw.curve({ type: 'bspline-curve', degree: 1, points: [[0, 0], [1, 1]] }),
+    ParametricCurve: kw.curve(circle),
+    BlendingCurve: kw.curve({ type: 'blending-curve', bFunction: { family: 'linear' }, model: circle, locals: { count: 3 } }),
+    Scene: kw.scene(kw.scenes[0].document),
+    BFunctionFamily: kw.bFunctions[0],
+    ParametricCurveModel: kw.parametricCurves[0],
+    ParameterDescription: kw.bFunctions.find(({ parameters }) => parameters.length > 0).parameters[0],
+    BuiltinScene: kw.scenes[0],
+    Drawing: kw.scene(kw.scenes[0].document).drawing(),
+    Shape: kw.scene(kw.scenes[0].document).drawing().shapes[0],
+};
+
+for (const [name, value] of Object.entries(values)) {
+    test(`${name} has the names that are declared, and no others`, () => {
+        assert.deepEqual(real(value), declared(name));
+    });
+}
+
+test('the module exports what is declared, and nothing else', async () => {
+    const runtime = Object.keys(await import(new URL('knotwork.mjs', distribution).href)).sort();
+    const isValue = (symbol) => (symbol.flags & ts.SymbolFlags.Value) !== 0;
+    assert.deepEqual(runtime, exported.filter(isValue).map(({ name }) => name).sort());
+});
+
+test('the fields of the schema have declared names only', () => {
+    const known = declared('FieldDescription');
+    for (const { document } of kw.scenes) {
+        for (const { fields } of kw.scene(document).schema) {
+            for (const field of fields) assert.deepEqual(Object.keys(field).filter((name) => !known.includes(name)), []);
+        }
+    }
+});
+
+test('all codes of the interface are declared', () => {
+    const codes = checker.getDeclaredTypeOfSymbol(exported.find(({ name }) => name === 'ErrorCode'));
+    assert.equal(codes.types.length, 18);
+});
