@@ -13,6 +13,7 @@ constexpr double leastRow = 40;     // two ticks and a name
 constexpr double namesBelow = 28;   // of the ticks, under the last row
 constexpr double titleHeight = 26;
 constexpr double gap = 20;          // between rows
+constexpr double air = 0.06;        // above and below a derivative, of its range
 constexpr double bShare = 1.8;      // B's row against a derivative's
 
 /// Of the row of a derivative when there are so many rows.
@@ -27,7 +28,7 @@ std::size_t rowsIn(double height, std::size_t wanted) noexcept {
     return rows;
 }
 
-int ticksOfRow(double height) noexcept { return height > 150 ? 4 : 2; }
+int ticksOfRow(double height) noexcept { return height > 90 ? 4 : 3; }
 
 Plot row(const Box& area, const Interval& values, std::size_t order, const Theme& colours) {
     Plot plot;
@@ -37,7 +38,7 @@ Plot row(const Box& area, const Interval& values, std::size_t order, const Theme
     const int most = ticksOfRow(area.height);
     const Interval range = order == 0 ? Interval{std::min(0.0, values.start),
                                                  std::max(1.0, values.end)}
-                                      : niceInterval(values, most);
+                                      : rowInterval(values);
     plot.map = mapOnto(area, {0, 1}, range);
     addGridX(plot, niceTicks({0, 1}, ticksAcross(area.width)), colours);
     const std::vector<Tick> ticks = niceTicks(range, most);
@@ -75,13 +76,13 @@ std::string derivativeName(std::size_t order) {
     return "B⁽" + raised + "⁾";
 }
 
-Interval niceInterval(const Interval& values, int most) noexcept {
+Interval rowInterval(const Interval& values) noexcept {
     const double low = std::min(0.0, values.start);
     const double high = std::max(0.0, values.end);
     // A derivative that is 0 up to rounding is a line along the axis, not noise blown up.
     if (high - low < 1e-9) return {-1, 1};
-    const double step = niceStep(high - low, most);
-    return {std::floor(low / step + 1e-9) * step, std::ceil(high / step - 1e-9) * step};
+    const double more = air * (high - low);
+    return {low < 0 ? low - more : 0, high > 0 ? high + more : 0};
 }
 
 std::vector<Plot> bFunctionPlots(const Box& box, const BFunctionContent& content,

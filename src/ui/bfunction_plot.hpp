@@ -23,8 +23,8 @@ struct BFunctionContent {
 /// `B`, `B′`, `B″`, `B‴`, then `B⁽⁴⁾`.
 [[nodiscard]] std::string derivativeName(std::size_t order);
 
-/// The interval grown to whole steps of nice ticks, always with 0 in it.
-[[nodiscard]] Interval niceInterval(const Interval& values, int most) noexcept;
+/// The interval of a derivative's row: its values with a little air, always with 0 in it.
+[[nodiscard]] Interval rowInterval(const Interval& values) noexcept;
 
 /// As many rows as are legible in the box, B always.
 [[nodiscard]] std::vector<Plot> bFunctionPlots(const Box& box, const BFunctionContent& content,

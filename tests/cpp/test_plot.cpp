@@ -172,9 +172,9 @@ TEST(BFunctionPlot, NamesDerivativesAsOneWritesThem) {
 }
 
 TEST(BFunctionPlot, AVanishingDerivativeIsALineAndNotNoise) {
-    const Interval range = niceInterval({-3e-15, 2e-15}, 2);
+    const Interval range = rowInterval({-3e-15, 2e-15});
     EXPECT_EQ(range, (Interval{-1, 1}));
-    EXPECT_EQ(niceInterval({0, 1.9}, 2), (Interval{0, 2}));
+    EXPECT_EQ(rowInterval({0.5, 2}), (Interval{0, 2.12}));
 }
 
 }  // namespace
