@@ -117,7 +117,11 @@ class Page {
 
     async #share() {
         const link = await this.kw.encodeLink(this.figure.value);
-        history.replaceState(null, '', link);
+        try {
+            history.replaceState(null, '', link);
+        } catch {
+            location.hash = link;  // a page without an origin of its own may not touch its history
+        }
         const copied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
         this.#say(this.words.text(copied ? 'page.share.done' : 'page.share.shown'));
     }

@@ -6,8 +6,8 @@ import { assertSilent, documentOf, drag, figureReady, handlesOf, openPage, pictu
 
 const running = useBrowser();
 
-async function opened(scene = 'bspline-forms') {
-    const shown = await openPage(running, `#${scene}`);
+async function opened(scene = 'bspline-forms', options = {}) {
+    const shown = await openPage(running, `#${scene}`, options);
     await figureReady(shown.page);
     await shown.page.evaluate(() => {
         globalThis.told = [];
@@ -24,10 +24,11 @@ const toldTo = (page) => page.evaluate(() => globalThis.told);
 const splineOf = async (page) => (await documentOf(page)).objects[0];
 const control = (page, name) => page.getByRole('spinbutton', { name, exact: true });
 
-/** The control points and handles of local curves in the curve's pane, from left to right. */
-const pointHandles = (page) => handles(page, 'grab', { to: [0.6, 1] });
+/** Control points, which lie above the basis, and handles of local curves, left of the B-function. */
+const pointHandles = (page) => handles(page, 'grab', { to: [1, 0.55] });
+const localHandles = (page) => handles(page, 'grab', { to: [0.55, 1] });
 /** The knots on the knot line, which lies at the bottom. */
-const knotHandles = (page) => handles(page, 'ew-resize', { from: [0.5, 0.8] });
+const knotHandles = (page) => handles(page, 'ew-resize', { from: [0, 0.8] });
 
 async function handles(page, cursor, part) {
     return (await handlesOf(page, part)).filter((handle) => handle.cursor === cursor).sort((a, b) => a.x - b.x);
@@ -86,7 +87,7 @@ describe('a hand', { timeout: 300_000 }, () => {
     it('drags a local curve of a blending curve by its handle', async () => {
         const { page, context } = await opened('b-functions');
         const before = (await splineOf(page)).poses;
-        const [handle] = await pointHandles(page);
+        const [handle] = await localHandles(page);
         await drag(page, handle, { x: handle.x + 30, y: handle.y + 20 });
         assert.notDeepEqual((await splineOf(page)).poses, before);
         await context.close();
@@ -104,6 +105,34 @@ describe('a hand', { timeout: 300_000 }, () => {
         await page.mouse.up();
         assert.deepEqual(await documentOf(page), before);
         assert.equal(await page.evaluate(() => document.querySelector('knotwork-figure').scene.canUndo), false);
+        await context.close();
+    });
+});
+
+describe('a finger', { timeout: 300_000 }, () => {
+    async function stroke(page, context, from, to) {
+        const session = await context.newCDPSession(page);
+        const send = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', { type, touchPoints });
+        await send('touchStart', from);
+        for (let k = 1; k <= 8; k += 1) {
+            await send('touchMove', { x: from.x + (to.x - from.x) * k / 8, y: from.y + (to.y - from.y) * k / 8 });
+        }
+        await send('touchEnd');
+        await page.waitForTimeout(200);
+    }
+
+    it('scrolls the page, but drags a point that it hits', async () => {
+        const { page, context } = await opened('bspline-forms', { hasTouch: true, viewport: { width: 700, height: 700 } });
+        const before = await splineOf(page);
+        const [point] = await pointHandles(page);
+        await stroke(page, context, point, { x: point.x + 30, y: point.y - 60 });
+        assert.equal(await page.evaluate(() => globalThis.scrollY), 0, 'the page stands still');
+        const after = await splineOf(page);
+        assert.notDeepEqual(after.points, before.points, 'a point has moved');
+        const empty = { x: point.x + 3, y: point.y + 90 };
+        await stroke(page, context, empty, { x: empty.x, y: empty.y - 120 });
+        assert.deepEqual(await splineOf(page), after, 'nothing has moved');
+        assert.ok(await page.evaluate(() => globalThis.scrollY) > 50, 'the page has scrolled');
         await context.close();
     });
 });

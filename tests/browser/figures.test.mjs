@@ -126,8 +126,8 @@ describe('figures on one page', { timeout: 300_000 }, () => {
         await page.waitForTimeout(500);
         assert.equal(await pictures(), before, 'off screen');
         await page.evaluate(() => document.getElementById('a').scrollIntoView());
-        await page.waitForTimeout(500);
-        assert.ok(await pictures() > before + 3, 'on screen');
+        await page.waitForFunction(async (count) =>
+            (await customElements.get('knotwork-figure').stats()).pictures > count + 3, before);
         await context.close();
     });
 

@@ -9,7 +9,8 @@ import { chromium } from 'playwright-core';
 
 import { serve } from '../../tools/serve.mjs';
 
-const directory = process.env.KNOTWORK_DIST ?? fileURLToPath(new URL('../../dist/', import.meta.url));
+/** The folder under test; another build can be named in the environment. */
+export const distribution = process.env.KNOTWORK_DIST ?? fileURLToPath(new URL('../../dist/', import.meta.url));
 const browsers = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
 const browserFlags = [
     '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
@@ -29,7 +30,7 @@ async function browserPath() {
 export function useBrowser() {
     const running = {};
     before(async () => {
-        running.server = await serve({ directory });
+        running.server = await serve({ directory: distribution });
         running.browser = await chromium.launch({ executablePath: await browserPath(), args: browserFlags });
     });
     after(async () => {
