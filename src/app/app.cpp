@@ -126,7 +126,8 @@ void App::Parts::paintPanel(int id, Slot& slot, const Canvas& canvas) {
     }
     host.render();
     for (ui::PanelEvent& event : slot.panel.events) {
-        slot.view.editor().report(event.final, "field", event.path, std::move(event.command));
+        slot.view.editor().report(event.final, event.history ? "history" : "field", event.path,
+                                  std::move(event.command));
     }
     slot.panel.events.clear();
 }

@@ -29,7 +29,8 @@ struct PanelArea {
 struct PanelEvent {
     bool final = false;
     std::string path;
-    scene::Json command;
+    scene::Json command;    ///< { undo: true } or { redo: true } for a step through the history
+    bool history = false;
 };
 
 /// The words that are the panel's own; those of the fields come with the fields.

@@ -61,14 +61,14 @@ void PanelEditor::hold(const std::string& field, const std::string& path, scene:
     gesture["gesture"] = "panel-" + std::to_string(state_.gestures);
     if (!execute(field, gesture)) return;
     state_.heldCommand = command;
-    state_.events.push_back({false, address(path), command});
+    state_.events.push_back({false, address(path), command, false});
 }
 
 void PanelEditor::once(const std::string& field, scene::Json command) {
     finish(false);
     if (!execute(field, command)) return;
     std::string address = addressIn(command);
-    state_.events.push_back({true, std::move(address), std::move(command)});
+    state_.events.push_back({true, std::move(address), std::move(command), false});
 }
 
 void PanelEditor::set(const std::string& field, scene::Json value) {
@@ -77,20 +77,27 @@ void PanelEditor::set(const std::string& field, scene::Json value) {
 
 void PanelEditor::undo() {
     finish(false);
-    changed_ = scene_.undo() || changed_;
-    state_.refusedField.clear();
+    step(scene_.undo(), "undo");
 }
 
 void PanelEditor::redo() {
     finish(false);
-    changed_ = scene_.redo() || changed_;
+    step(scene_.redo(), "redo");
+}
+
+/// After a step through the history.
+void PanelEditor::step(bool moved, const char* verb) {
     state_.refusedField.clear();
+    if (!moved) return;
+    changed_ = true;
+    state_.events.push_back({true, "", scene::Json{{verb, true}}, true});
 }
 
 void PanelEditor::finish(bool anythingHeld) {
     if (anythingHeld || state_.heldField.empty()) return;
     if (!state_.heldCommand.is_null()) {
-        state_.events.push_back({true, addressIn(state_.heldCommand), state_.heldCommand});
+        state_.events.push_back(
+            {true, addressIn(state_.heldCommand), state_.heldCommand, false});
     }
     state_.heldField.clear();
     state_.heldCommand = nullptr;

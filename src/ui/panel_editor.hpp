@@ -40,6 +40,7 @@ public:
 
 private:
     bool execute(const std::string& field, const scene::Json& command);
+    void step(bool moved, const char* verb);
 
     scene::Scene& scene_;
     PanelState& state_;

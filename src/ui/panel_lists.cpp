@@ -44,7 +44,7 @@ bool elementRow(PanelEditor& editor, const PanelField& field, std::size_t i) {
     std::vector<double> values = numbersOf(element);
     ImGui::PushID(static_cast<int>(i));
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%d", static_cast<int>(i));
+    ImGui::TextDisabled("%d", static_cast<int>(i) + 1);
     ImGui::SameLine(34);
     const float rest = ImGui::GetContentRegionMax().x - ImGui::GetCursorPosX();
     ImGui::SetNextItemWidth(rest - ImGui::GetFrameHeight() - ImGui::GetStyle().ItemSpacing.x);
