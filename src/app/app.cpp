@@ -36,6 +36,7 @@ struct App::Parts {
         explicit Slot(int id) : view(id) {}
         View view;
         ui::PanelState panel;
+        int followedObject = -1;  ///< whose selection brought the panel to its object
         bool wantsPanel = false;
         double lastFrame = 0;
     };
@@ -86,7 +87,7 @@ struct App::Parts {
     /// Feeds the panel; whether it takes the event for itself.
     bool panelPointer(int id, const std::string& kind, const Pixel& at, int buttons,
                       const std::string& pointerType);
-    void paintPanel(int id, Slot& slot, const Canvas& canvas);
+    void paintPanel(Slot& slot, const Canvas& canvas);
     int heldButtons = 0;
 };
 
@@ -114,13 +115,15 @@ bool App::Parts::panelPointer(int id, const std::string& kind, const Pixel& at, 
     return over;
 }
 
-void App::Parts::paintPanel(int id, Slot& slot, const Canvas& canvas) {
+void App::Parts::paintPanel(Slot& slot, const Canvas& canvas) {
     const double time = now();
     host.setTheme(canvas.dark ? ui::ThemeName::dark : ui::ThemeName::light);
-    host.beginFrame({id, canvas.width, canvas.height, canvas.pixelRatio, time - slot.lastFrame});
+    host.beginFrame({canvas.width, canvas.height, canvas.pixelRatio, time - slot.lastFrame});
     slot.lastFrame = time;
     const auto& selected = slot.view.selected();
-    if (selected) slot.panel.object = selected->object;
+    const int followed = selected ? selected->object : -1;
+    if (selected && followed != slot.followedObject) slot.panel.object = followed;
+    slot.followedObject = followed;
     if (ui::panel(*slot.view.editor().scene(), slot.panel, panelArea(slot.view), host.colours())) {
         slot.view.touch();
     }
@@ -339,7 +342,7 @@ void App::render(int id) {
     const Figure* figure = view.figure();
     view.painted();
     paintFigure(parts_->renderer, figure, canvas);
-    if (parts_->hasPanel(id)) parts_->paintPanel(id, *slot, canvas);
+    if (parts_->hasPanel(id)) parts_->paintPanel(*slot, canvas);
     ++parts_->frames;
 }
 

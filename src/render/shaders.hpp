@@ -68,6 +68,7 @@ vec2 nearest(vec2 p, vec2 a, vec2 b) {
 void main() {
     vec2 p = gl_FragCoord.xy - view.zw;
     vec2 own = nearest(p, ends.xy, ends.zw);
+    if (own.y >= stroke.x + 0.5) discard;
     bool hasBefore = arcs.z > 0.5;
     bool hasAfter = arcs.w > 0.5;
     const float tie = 5e-5;
@@ -88,7 +89,6 @@ void main() {
         away = length(vec2(max(0.0, min(at - solid, period - at)), own.y));
     }
     float alpha = paint.a * clamp(stroke.x + 0.5 - away, 0.0, 1.0);
-    if (alpha <= 0.0) discard;
     fragment = vec4(paint.rgb * alpha, alpha);
 }
 )";

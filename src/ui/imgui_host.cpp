@@ -203,8 +203,6 @@ void ImGuiHost::blur() {
 
 void ImGuiHost::beginFrame(const Frame& frame) {
     if (!started_ || inFrame_) return;
-    if (frame.view != view_) blur();
-    view_ = frame.view;
     ImGui::SetCurrentContext(context_);
     const double ratio = frame.pixelRatio > 0 ? frame.pixelRatio : 1;
     if (std::abs(ratio - pixelRatio_) > 1e-6) buildFonts(ratio);

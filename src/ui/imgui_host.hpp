@@ -25,7 +25,6 @@ enum Modifier : unsigned { shiftKey = 1, commandKey = 2, altKey = 4 };
 class ImGuiHost {
 public:
     struct Frame {
-        int view = 0;        ///< the view that has the panel; input of another is dropped
         int width = 0;       ///< device pixels
         int height = 0;
         double pixelRatio = 1;
@@ -58,7 +57,7 @@ public:
     /// A key by its DOM name (`Enter`, `ArrowLeft`, `a`, …); unknown ones are ignored.
     void key(std::string_view name, bool down, unsigned modifiers);
     void text(std::string_view utf8);
-    /// The page or the view lost focus: releases all keys and buttons.
+    /// The page or the view lost focus, or another view gets the panel: releases all keys and buttons.
     void blur();
 
     void beginFrame(const Frame& frame);
@@ -86,7 +85,6 @@ private:
     bool backend_ = false;   ///< whether Dear ImGui's own GL part has been set up
     bool started_ = false;
     bool inFrame_ = false;
-    int view_ = 0;
     int framesDue_ = 0;      ///< frames that ImGui needs to settle after input
     double pixelRatio_ = 0;  ///< for which the fonts were built
     ThemeName themeName_ = ThemeName::light;

@@ -61,7 +61,8 @@ void objectChoice(PanelEditor& editor, float width) {
         return;
     }
     ImGui::SetNextItemWidth(width);
-    if (!ImGui::BeginCombo("##object", title.c_str())) return;
+    const bool open = ImGui::BeginCombo("##object", title.c_str(), ImGuiComboFlags_NoArrowButton);
+    if (!open) return drawChevron();
     for (std::size_t i = 0; i < objects.size(); ++i) {
         const auto index = static_cast<int>(i);
         ImGui::PushID(index);

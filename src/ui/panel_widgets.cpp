@@ -32,19 +32,6 @@ std::pair<double, double> sliderEnds(const PanelField& field) {
             field.maxOpen && field.high >= field.max ? field.high - margin : field.high};
 }
 
-/// The sign of a choice, at the right end of the last item.
-void drawChevron() {
-    const ImVec2 high = ImGui::GetItemRectMax();
-    const float unit = 0.22F * ImGui::GetFontSize();
-    const ImVec2 middle(high.x - 4 * unit,
-                        0.5F * (ImGui::GetItemRectMin().y + high.y) + 0.5F * unit);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    draw.PathLineTo({middle.x - unit, middle.y - unit});
-    draw.PathLineTo(middle);
-    draw.PathLineTo({middle.x + unit, middle.y - unit});
-    draw.PathStroke(ImGui::GetColorU32(ImGuiCol_Text), ImDrawFlags_None, 1.5F);
-}
-
 /// The track and the knob of the slider that was the last item, at `share` of its length.
 void drawSlider(double share) {
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -161,6 +148,18 @@ void widget(PanelEditor& editor, const PanelField& field) {
 }
 
 }  // namespace
+
+void drawChevron() {
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float unit = 0.22F * ImGui::GetFontSize();
+    const ImVec2 middle(high.x - 4 * unit,
+                        0.5F * (ImGui::GetItemRectMin().y + high.y) + 0.5F * unit);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PathLineTo({middle.x - unit, middle.y - unit});
+    draw.PathLineTo(middle);
+    draw.PathLineTo({middle.x + unit, middle.y - unit});
+    draw.PathStroke(ImGui::GetColorU32(ImGuiCol_Text), ImDrawFlags_None, 1.5F);
+}
 
 void flagGrid(PanelEditor& editor, std::span<const PanelField> flags) {
     const float second = 0.56F * ImGui::GetContentRegionMax().x;

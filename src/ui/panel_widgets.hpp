@@ -25,6 +25,9 @@ void listRows(PanelEditor& editor, const scene::PanelField& field);
 
 /// Drags numbers from side to side: `values` are changed in place.
 [[nodiscard]] bool dragNumbers(std::span<double> values, double speed);
+/// The sign of a choice, at the right end of the combo box that was the last item (which was begun
+/// without an arrow of its own).
+void drawChevron();
 /// A track with a round knob, and the number behind it for exact dragging and typing.
 [[nodiscard]] bool slideNumber(double& value, double low, double high);
 /// How far a pixel of dragging moves a number of this size.
