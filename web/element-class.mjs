@@ -217,12 +217,12 @@ export class KnotworkFigure extends Base {
     /** @returns {import('./figure.mjs').Wishes} */
     #wishes() {
         const theme = this.getAttribute('theme') ?? this.#chosenTheme;
-        const dark = theme === 'dark' || (theme !== 'light' && matches('(prefers-color-scheme: dark)'));
+        const wantsDark = theme === 'dark' || (theme !== 'light' && matches('(prefers-color-scheme: dark)'));
         return {
             words: this.#words(),
             controls: controlsFor(this.getAttribute('controls')),
             readOnly: this.hasAttribute('readonly'),
-            theme: dark ? 'dark' : 'light',
+            theme: wantsDark && !matches('print') ? 'dark' : 'light',
             ownTheme: !this.hasAttribute('theme'),
             still: this.getAttribute('motion') === 'reduce' || matches('(prefers-reduced-motion: reduce)'),
             wheelZoom: this.getAttribute('wheel-zoom') ?? 'modifier',
@@ -248,7 +248,7 @@ export class KnotworkFigure extends Base {
 
     #followPreferences() {
         this.#preferences = new AbortController();
-        for (const query of ['(prefers-color-scheme: dark)', '(prefers-reduced-motion: reduce)']) {
+        for (const query of ['(prefers-color-scheme: dark)', '(prefers-reduced-motion: reduce)', 'print']) {
             matchMedia(query).addEventListener('change', () => this.#figure?.applyWishes(),
                 { signal: this.#preferences.signal });
         }

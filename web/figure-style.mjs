@@ -17,6 +17,7 @@ const layout = `
     border: 1px solid var(--line);
     border-radius: 12px;
     overflow: clip;
+    position: relative;
 }
 .frame[data-theme="dark"] { ${tokens.dark} }
 .stage { grid-area: stage; position: relative; min-height: 12rem; aspect-ratio: 16 / 9;
@@ -50,7 +51,7 @@ const layout = `
 .refusal p { margin: 0; }
 .aside { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%);
     white-space: nowrap; }
-@container (min-width: 54rem) {
+@container (min-width: 60rem) {
     .frame[data-values] {
         grid-template: "stage values" auto "toolbar values" auto / minmax(0, 1fr) minmax(20rem, 23rem);
     }
@@ -61,17 +62,6 @@ const layout = `
         overflow: auto;
         overscroll-behavior: contain;
     }
-}
-@media (prefers-contrast: more) {
-    .frame { --line: var(--edge); --quiet: var(--ink); }
-}
-@media print {
-    .toolbar, .values, .refusal { display: none; }
-    .frame { border: 0; }
-    .frame, .frame[data-values] { grid-template: "stage" auto / minmax(0, 1fr); }
-}
-@media (forced-colors: active) {
-    .button[aria-pressed="true"] { outline: 2px solid Highlight; }
 }
 `;
 
@@ -138,7 +128,7 @@ input[type="range"]:disabled { opacity: 0.5; cursor: default; }
 `;
 
 const values = `
-.values { grid-area: values; border-block-start: 1px solid var(--line); font-size: 0.875rem; }
+.values { grid-area: values; position: relative; border-block-start: 1px solid var(--line); font-size: 0.875rem; }
 .values-inner { padding: 0.25rem 1.125rem 1.5rem; }
 .values h2 { margin: 1.125rem 0 0.25rem; font-size: 1rem; font-weight: 650; letter-spacing: -0.005em; }
 .values h3 { margin: 0; font-size: 0.875rem; font-weight: 600; }
@@ -208,11 +198,33 @@ td.removal { width: 32px; }
     gap: 0.125rem 0.75rem; }
 .readout dt { color: var(--quiet); }
 .readout dd { margin: 0; font-variant-numeric: tabular-nums; overflow-wrap: anywhere; }
+@container (min-width: 42rem) and (max-width: 59.99rem) {
+    .values-inner > div { columns: 2; column-gap: 2rem; }
+    .values :is(.group, .list, h2, .shape) { break-inside: avoid; }
+    .values h2, .values .shape { column-span: all; }
+}
 @media (pointer: coarse) {
     input[type="text"], select, .small, .quiet-button, .flag, details.list > summary,
     input[type="color"] { min-height: 44px; }
     .small { min-width: 44px; }
     td.removal { width: 48px; }
+}
+`;
+
+/** Last, since these override what comes before. */
+const circumstances = `
+@media (prefers-contrast: more) {
+    .frame { --line: var(--edge); --quiet: var(--ink); }
+}
+@media print {
+    .toolbar, .values, .refusal { display: none !important; }
+    .frame { border: 0; }
+    .frame, .frame[data-values] { grid-template: "stage" auto / minmax(0, 1fr); }
+}
+@media (forced-colors: active) {
+    input[type="range"], input[type="checkbox"] { appearance: auto; -webkit-appearance: auto; }
+    input[type="range"]::-webkit-slider-runnable-track { border: 1px solid CanvasText; }
+    .button:is([aria-pressed="true"], [aria-expanded="true"]) { outline: 2px solid Highlight; }
 }
 `;
 
@@ -223,7 +235,7 @@ let sheet;
 export function figureSheet() {
     if (!sheet) {
         sheet = new CSSStyleSheet();
-        sheet.replaceSync(layout + toolbar + values);
+        sheet.replaceSync(layout + toolbar + values + circumstances);
     }
     return sheet;
 }

@@ -32,8 +32,6 @@ class Page {
         this.#speak();
         this.#acceptDrops();
         window.addEventListener('hashchange', () => this.route());
-        window.addEventListener('beforeprint', () => this.figure.setAttribute('theme', 'light'));
-        window.addEventListener('afterprint', () => this.#setTheme(this.theme));
         this.figure.addEventListener('change', () => this.#title());
     }
 
