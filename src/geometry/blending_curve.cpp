@@ -142,6 +142,21 @@ void leibniz(std::span<const double> blend, std::span<const Vec3> first,
     }
 }
 
+/// A local curve's point on one side of a knot of its source.
+Vec3 placedPoint(const LocalCurve& local, double t, Side side) noexcept {
+    Vec3 point;
+    local.evaluate(t, side, {&point, 1});
+    return point;
+}
+
+/// The blend of two placements of one point of the model that both locals are cut from.
+Vec3 blendedPoint(double weight, const LocalCurve& first, const LocalCurve& second, double t,
+                  Side side) noexcept {
+    Vec3 point;
+    evaluate(first.source(), first.rate() * t + first.shift(), side, {&point, 1});
+    return (1 - weight) * first.placement().point(point) + weight * second.placement().point(point);
+}
+
 }  // namespace
 
 LocalCurve::LocalCurve(std::shared_ptr<const Curve> source, double rate, double shift, double knot,
@@ -276,6 +291,18 @@ BlendingCurve::Span BlendingCurve::spanAt(double t, Side side) const noexcept {
 
 void BlendingCurve::evaluate(double t, Side side, std::span<Vec3> rows) const noexcept {
     const Span span = spanAt(t, side);
+    const LocalCurve& first = (*locals_)[span.first];
+    const LocalCurve& second = (*locals_)[span.second];
+    // Sub-curves of one model need the model only once: the blend is one of affine maps.
+    const bool oneModel = span.shift == 0 && first.sharedSource() == second.sharedSource() &&
+                          first.rate() == second.rate() && first.shift() == second.shift();
+    if (rows.size() == 1) {
+        const double weight = blend_.value((span.t - span.start) / span.length);
+        rows[0] = oneModel ? blendedPoint(weight, first, second, span.t, side)
+                           : (1 - weight) * placedPoint(first, span.t, side) +
+                                 weight * placedPoint(second, span.t - span.shift, side);
+        return;
+    }
     std::array<double, maximumRows> blend{};
     const std::span<double> blendRows(blend.data(), rows.size());
     blend_.derivatives((span.t - span.start) / span.length, blendRows);
@@ -284,13 +311,8 @@ void BlendingCurve::evaluate(double t, Side side, std::span<Vec3> rows) const no
         row *= power;
         power /= span.length;
     }
-    const LocalCurve& first = (*locals_)[span.first];
-    const LocalCurve& second = (*locals_)[span.second];
     std::array<Vec3, maximumRows> secondRows{};
     const std::span<Vec3> others(secondRows.data(), rows.size());
-    // Sub-curves of one model need the model only once: the blend is one of affine maps.
-    const bool oneModel = span.shift == 0 && first.sharedSource() == second.sharedSource() &&
-                          first.rate() == second.rate() && first.shift() == second.shift();
     if (oneModel) {
         knotwork::evaluate(first.source(), first.rate() * span.t + first.shift(), side, rows);
         std::copy(rows.begin(), rows.end(), others.begin());

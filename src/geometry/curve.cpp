@@ -57,7 +57,13 @@ struct Evaluate {
     void operator()(const BsplineCurve& curve) const noexcept {
         curve.derivatives(t, side, rows);
     }
-    void operator()(const ParametricCurve& curve) const noexcept { curve.derivatives(t, rows); }
+    void operator()(const ParametricCurve& curve) const noexcept {
+        if (rows.size() == 1) {
+            rows[0] = curve.point(t);  // jets of order 0 cost several times as much
+        } else {
+            curve.derivatives(t, rows);
+        }
+    }
     void operator()(const BlendingCurve& curve) const noexcept { curve.evaluate(t, side, rows); }
 };
 
