@@ -365,6 +365,7 @@ export class Figure {
         const { app } = this.#stage;
         app.setTheme(this.view.id, wishes.theme);
         app.setWords(this.view.id, JSON.stringify(wishes.words.picture()));
+        app.setWords(this.view.id, JSON.stringify(wishes.words.picture()));
         app.setReadOnly(this.view.id, wishes.readOnly);
         app.setReducedMotion(this.view.id, wishes.still);
         if (wishes.still) app.setPlaying(this.view.id, false);
