@@ -92,6 +92,7 @@ private:
     [[nodiscard]] std::string gesturePrefix() const { return "view" + std::to_string(id_); }
 
     // view_pointer.cpp
+    void noteWhereabouts(const PointerInput& input);
     bool press(const PointerInput& input);
     bool follow(const PointerInput& input);
     bool release(const PointerInput& input);

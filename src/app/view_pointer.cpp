@@ -36,10 +36,7 @@ double wheelFactor(double dy) noexcept {
 
 bool View::pointer(const PointerInput& input) {
     if (scene() == nullptr) return false;
-    const bool over = input.kind == "down" || input.kind == "move" ||
-                      (input.kind == "up" && input.pointerType != "touch");
-    if (over != pointedAt_ && clock_.running()) touch();  // handles come and go
-    pointedAt_ = over;
+    noteWhereabouts(input);
     if (input.kind == "down") return press(input);
     if (input.kind == "move") return follow(input);
     if (input.kind == "up") return release(input);
@@ -49,6 +46,14 @@ bool View::pointer(const PointerInput& input) {
     }
     if (hold_ == Hold::nothing) point({});
     return false;
+}
+
+void View::noteWhereabouts(const PointerInput& input) {
+    // A finger leaves whenever it is lifted; what it has tapped stays pointed at.
+    const bool lifted = input.kind == "leave" && input.pointerType == "touch";
+    const bool over = lifted ? pointedAt_ : input.kind != "leave" && input.kind != "cancel";
+    if (over != pointedAt_ && clock_.running()) touch();  // handles come and go
+    pointedAt_ = over;
 }
 
 bool View::press(const PointerInput& input) {
@@ -167,6 +172,8 @@ void View::blur() {
     letGo();
     if (editor_.inGesture()) editor_.endGesture("key");
     point({});
+    if (pointedAt_ && clock_.running()) touch();
+    pointedAt_ = false;
 }
 
 void View::noteClick(const PointerInput& input) {

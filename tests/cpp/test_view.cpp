@@ -230,6 +230,11 @@ TEST(Handles, LeaveAPlayingPictureAloneUntilSomeonePoints) {
     EXPECT_GT(handles(), 0);
     play.event("leave", {20, 20}, 0);
     EXPECT_EQ(handles(), 0);
+    play.click({20, 20}, "touch");
+    play.event("leave", {20, 20}, 0, 0, "touch");
+    EXPECT_GT(handles(), 0);
+    play.view.blur();
+    EXPECT_EQ(handles(), 0);
 }
 
 TEST(Labels, AreInTheReadersLanguage) {
