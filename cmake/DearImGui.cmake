@@ -36,7 +36,7 @@ target_include_directories(knotwork_imgui SYSTEM PUBLIC "${imgui_dir}" "${imgui_
 if(EMSCRIPTEN)
     target_sources(knotwork_imgui PRIVATE "${imgui_dir}/backends/imgui_impl_opengl3.cpp")
     target_compile_definitions(knotwork_imgui PRIVATE IMGUI_IMPL_OPENGL_ES3)
-    target_compile_options(knotwork_imgui PRIVATE -Oz)
+    target_compile_options(knotwork_imgui PRIVATE -Oz -flto)
 endif()
 add_library(knotwork::imgui ALIAS knotwork_imgui)
 

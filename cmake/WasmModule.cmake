@@ -9,7 +9,8 @@ set(KNOTWORK_WASM_LINK_OPTIONS
     -sFILESYSTEM=0
     -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648
     -sTOTAL_STACK=1048576   # the default is 5 MiB in 3.1.6 and 64 KiB in 3.1.69
-    -sASSERTIONS=0 -sMALLOC=emmalloc)
+    -sASSERTIONS=0 -sMALLOC=emmalloc
+    -Wl,-mllvm,-vectorize-slp=false)  # as when compiling: cmake/OurCode.cmake says why
 
 function(knotwork_wasm_module name)
     cmake_parse_arguments(PARSE_ARGV 1 module "" "EXPORT_NAME" "SOURCES;USES;LINK")
@@ -22,7 +23,12 @@ function(knotwork_wasm_module name)
     target_compile_definitions(${name} PRIVATE EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
     target_compile_options(${name} PRIVATE -Oz)
     target_link_libraries(${name} PRIVATE ${module_USES} knotwork_our_code)
+    if(EXISTS /usr/share/nodejs/acorn)
+        # Debian's Emscripten 3.1.6 needs acorn, which a node that is not Debian's own does not find
+        set_target_properties(${name} PROPERTIES RULE_LAUNCH_LINK
+            "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs:$ENV{NODE_PATH}")
+    endif()
     target_link_options(${name} PRIVATE
-        -O3 -msimd128 ${KNOTWORK_WASM_LINK_OPTIONS} -sEXPORT_NAME=${module_EXPORT_NAME}
+        -Oz -flto -msimd128 ${KNOTWORK_WASM_LINK_OPTIONS} -sEXPORT_NAME=${module_EXPORT_NAME}
         ${module_LINK})
 endfunction()
