@@ -19,7 +19,7 @@ export async function load(given) {
     return makeApi(await start(wasmBinary));
 }
 
-/** @param {Uint8Array} wasmBinary */
+/** @param {Uint8Array<ArrayBuffer>} wasmBinary */
 async function start(wasmBinary) {
     if (!WebAssembly.validate(wasmBinary)) {
         throw new KnotworkError('SYNTAX', 'wasm',

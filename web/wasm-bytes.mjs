@@ -8,13 +8,14 @@ const withScheme = /^[a-z][a-z0-9+.-]+:/i;
 /**
  * @param {unknown} given bytes, URL, path, or nothing for the default
  * @param {() => URL} usual
- * @returns {Promise<Uint8Array>}
+ * @returns {Promise<Uint8Array<ArrayBuffer>>}
  */
 export async function wasmBytes(given, usual) {
     if (given === undefined) return read(usual());
     if (given instanceof ArrayBuffer) return new Uint8Array(given);
     if (ArrayBuffer.isView(given)) {
-        return new Uint8Array(given.buffer, given.byteOffset, given.byteLength);
+        // A copy, since the memory may be shared and browsers compile only what cannot change.
+        return new Uint8Array(given.buffer, given.byteOffset, given.byteLength).slice();
     }
     if (given instanceof URL) return read(given);
     if (typeof given === 'string' && given !== '') return read(inNode ? nodeAddress(given) : given);
