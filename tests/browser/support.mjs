@@ -42,7 +42,7 @@ export function useBrowser() {
 
 /** Runs in every page before its own scripts: counts what a quiet page does not do. */
 function observe() {
-    const counts = { frames: 0, copies: 0, contexts: [], violations: [] };
+    const counts = { frames: 0, copies: 0, contexts: [], violations: [], texts: [] };
     globalThis.observed = counts;
     document.addEventListener('securitypolicyviolation', (event) => {
         counts.violations.push(`${event.violatedDirective} ${event.blockedURI} ${event.sample}`);
@@ -64,6 +64,7 @@ function observe() {
         return drawImage.apply(this, args);
     };
     CanvasRenderingContext2D.prototype.fillText = function observed(...args) {
+        if (!counts.texts.includes(args[0])) counts.texts.push(args[0]);
         if (!globalThis.withoutLabels) fillText.apply(this, args);
     };
 }
