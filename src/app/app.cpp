@@ -348,7 +348,11 @@ void App::render(int id) {
 
 std::string App::labels(int id) const {
     View* view = parts_->view(id);
-    return view != nullptr ? view->labels() : "[]";
+    if (view == nullptr) return "[]";
+    const bool panel = parts_->hasPanel(id);
+    return view->labels([&](const ui::Box& box) {
+        return panel && parts_->host.covers(box.x, box.y, box.right(), box.bottom());
+    });
 }
 
 std::string App::takeEvents(int id) {

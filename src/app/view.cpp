@@ -266,10 +266,11 @@ std::string View::selection() const {
     return scene::dumpJson(json);
 }
 
-std::string View::labels() const {
+std::string View::labels(const std::function<bool(const ui::Box&)>& covered) const {
     Json list = Json::array();
     for (const PaneFigure& pane : figure_.panes) {
         for (const ui::Label& label : pane.plot.labels) {
+            if (covered(ui::boxOf(label))) continue;
             list.push_back(labelJson(label, words_));
         }
     }

@@ -10,6 +10,7 @@
 #include "app/figure.hpp"
 #include "app/picture.hpp"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -67,7 +68,11 @@ public:
     }
     void select(std::string_view path);
     [[nodiscard]] std::string selection() const;
-    [[nodiscard]] std::string labels() const;
+    /// `covered` tells whether something lies over a box of the view, so that no label is wanted.
+    [[nodiscard]] std::string labels(const std::function<bool(const ui::Box&)>& covered) const;
+    [[nodiscard]] std::string labels() const {
+        return labels([](const ui::Box&) { return false; });
+    }
 
     [[nodiscard]] double width() const noexcept { return width_; }
     [[nodiscard]] double height() const noexcept { return height_; }

@@ -235,16 +235,19 @@ bool ImGuiHost::wantsKeyboard() const noexcept {
 
 bool ImGuiHost::wantsText() const noexcept { return context_ && context_->IO.WantTextInput; }
 
-bool ImGuiHost::hits(double x, double y) const noexcept {
+bool ImGuiHost::hits(double x, double y) const noexcept { return covers(x, y, x, y); }
+
+bool ImGuiHost::covers(double left, double top, double right, double bottom) const noexcept {
     if (!context_) return false;
-    const ImVec2 at(static_cast<float>(x), static_cast<float>(y));
-    const auto contains = [at](const ImGuiWindow* window) {
-        return window->Active && !window->Hidden && window->Rect().Contains(at);
-    };
+    const ImRect box(static_cast<float>(left), static_cast<float>(top), static_cast<float>(right),
+                     static_cast<float>(bottom));
     constexpr int intangible = ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_Tooltip;
     const auto& windows = context_->Windows;
     return std::any_of(windows.begin(), windows.end(), [&](const ImGuiWindow* window) {
-        return !(window->Flags & intangible) && !window->IsFallbackWindow && contains(window);
+        const ImRect area = window->Rect();
+        return window->Active && !window->Hidden && !window->IsFallbackWindow &&
+               !(window->Flags & intangible) && box.Min.x < area.Max.x && box.Max.x >= area.Min.x &&
+               box.Min.y < area.Max.y && box.Max.y >= area.Min.y;
     });
 }
 

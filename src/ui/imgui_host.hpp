@@ -57,7 +57,7 @@ public:
     /// A key by its DOM name (`Enter`, `ArrowLeft`, `a`, …); unknown ones are ignored.
     void key(std::string_view name, bool down, unsigned modifiers);
     void text(std::string_view utf8);
-    /// The page or the view lost focus, or another view gets the panel: releases all keys and buttons.
+    /// The view lost focus or another one gets the panel: releases all keys and buttons.
     void blur();
 
     void beginFrame(const Frame& frame);
@@ -70,6 +70,8 @@ public:
     [[nodiscard]] bool wantsText() const noexcept;
     /// Whether (x, y) lies in a window of the last frame; for touch, where nothing hovers.
     [[nodiscard]] bool hits(double x, double y) const noexcept;
+    /// Whether a window of the last frame covers any of the box: for what stands over the picture.
+    [[nodiscard]] bool covers(double left, double top, double right, double bottom) const noexcept;
     /// Whether further frames are due without further input: queued input that is still to be
     /// seen, a blinking caret, a scroll that settles.
     [[nodiscard]] bool animating() const noexcept;

@@ -19,6 +19,7 @@ using scene::PanelField;
 
 constexpr float labelShare = 0.38F;  // of the panel's width
 constexpr float numberWidth = 3.4F;  // in font sizes: room for -0.0001 behind a slider
+constexpr float pickerWidth = 210;    // CSS pixels
 constexpr int mostSteps = 100;       // beyond this many values an integer is dragged, not slid
 
 double numberOf(const Json& value) {
@@ -109,11 +110,19 @@ void colour(PanelEditor& editor, const PanelField& field) {
     const scene::Colour current = parsed ? *parsed : scene::Colour{};
     std::array<float, 3> value{static_cast<float>(current.red), static_cast<float>(current.green),
                                static_cast<float>(current.blue)};
-    constexpr ImGuiColorEditFlags looks = ImGuiColorEditFlags_NoInputs |
-                                          ImGuiColorEditFlags_NoLabel |
-                                          ImGuiColorEditFlags_NoOptions |
-                                          ImGuiColorEditFlags_NoDragDrop;
-    if (!ImGui::ColorEdit3("##value", value.data(), looks)) return;
+    const ImVec4 shown(value[0], value[1], value[2], 1);
+    const ImVec2 size(2 * ImGui::GetFrameHeight(), 0);
+    if (ImGui::ColorButton("##value", shown, ImGuiColorEditFlags_NoTooltip, size)) {
+        ImGui::OpenPopup("picker");
+    }
+    if (!ImGui::BeginPopup("picker")) return;
+    constexpr int looks = ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
+                          ImGuiColorEditFlags_NoOptions | ImGuiColorEditFlags_NoLabel |
+                          ImGuiColorEditFlags_DisplayHex;
+    ImGui::SetNextItemWidth(pickerWidth);
+    const bool edited = ImGui::ColorPicker3("##picker", value.data(), looks);
+    ImGui::EndPopup();
+    if (!edited) return;
     const scene::Colour chosen{static_cast<double>(value[0]), static_cast<double>(value[1]),
                                static_cast<double>(value[2])};
     editor.hold(field.path, field.path, scene::formatColour(chosen));

@@ -98,4 +98,14 @@ void addPlaneGrid(Plot& plot, const Theme& colours) {
     plot.under.push_back(std::move(axis));
 }
 
+Box boxOf(const Label& label) noexcept {
+    constexpr double widthOfLetter = 0.6;  // of the size, in most fonts and a little generous
+    const double width = widthOfLetter * label.size * static_cast<double>(label.text.size());
+    const double before = label.align == Align::left ? 0 : label.align == Align::centre ? 0.5 : 1;
+    const double above = label.baseline == Baseline::top      ? 0
+                         : label.baseline == Baseline::middle ? 0.5
+                                                              : 1;
+    return {label.at.x - before * width, label.at.y - above * label.size, width, label.size};
+}
+
 }  // namespace knotwork::ui

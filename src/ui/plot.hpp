@@ -32,6 +32,9 @@ struct Label {
     bool number = false;  ///< holds a number, whose decimal point is the language's
 };
 
+/// About where its text will stand; the page knows its font, we only know its size.
+[[nodiscard]] Box boxOf(const Label& label) noexcept;
+
 /// Straight pieces in a plot's plane, two points each.
 struct Lines {
     std::vector<double> segments;  ///< x,y,z triples

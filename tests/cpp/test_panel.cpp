@@ -87,6 +87,13 @@ TEST_F(PanelTest, OnlyItsWindowIsHit) {
     EXPECT_FALSE(host.hits(5, 5));
 }
 
+TEST_F(PanelTest, CoversWhatReachesIntoItsWindow) {
+    frames(3);
+    EXPECT_TRUE(host.covers(300, 30, 340, 40));
+    EXPECT_TRUE(host.covers(0, 0, 800, 600));
+    EXPECT_FALSE(host.covers(320, 30, 340, 40));
+}
+
 TEST_F(PanelTest, APointerOverItIsItsOwn) {
     host.pointerMove(60, 40, PointerKind::mouse);
     frames(3);

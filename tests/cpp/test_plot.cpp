@@ -177,5 +177,14 @@ TEST(BFunctionPlot, AVanishingDerivativeIsALineAndNotNoise) {
     EXPECT_EQ(rowInterval({0.5, 2}), (Interval{0, 2.12}));
 }
 
+TEST(Label, StandsBesideOrOnItsPlaceAsItIsAligned) {
+    const Box left = boxOf({"0.5", {100, 50}, Align::left, Baseline::top, 10, false, {}});
+    EXPECT_EQ(left, (Box{100, 50, 18, 10}));
+    const Box right = boxOf({"0.5", {100, 50}, Align::right, Baseline::bottom, 10, false, {}});
+    EXPECT_EQ(right, (Box{82, 40, 18, 10}));
+    const Box centre = boxOf({"0.5", {100, 50}, Align::centre, Baseline::middle, 10, false, {}});
+    EXPECT_EQ(centre, (Box{91, 45, 18, 10}));
+}
+
 }  // namespace
 }  // namespace knotwork::ui
