@@ -83,7 +83,7 @@ class Page {
             const here = link.hash === `#${name}`;
             if (here) link.setAttribute('aria-current', 'true');
             else link.removeAttribute('aria-current');
-            if (here) byId('scenes').scrollLeft = link.offsetLeft - byId('scenes').offsetLeft - 16;
+            if (here) bringIntoSight(byId('scenes'), link);
         }
     }
 
@@ -231,6 +231,17 @@ class Page {
 
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     sayTimer;
+}
+
+/**
+ * Scrolls a row, and nothing else, so far that this item of it can be seen.
+ * @param {HTMLElement} row
+ * @param {HTMLElement} item
+ */
+function bringIntoSight(row, item) {
+    const [outer, inner] = [row.getBoundingClientRect(), item.getBoundingClientRect()];
+    if (inner.left < outer.left) row.scrollLeft += inner.left - outer.left;
+    else if (inner.right > outer.right) row.scrollLeft += inner.right - outer.right;
 }
 
 /**

@@ -47,6 +47,22 @@ describe('figures on one page', { timeout: 300_000 }, () => {
         await shown.context.close();
     });
 
+    it('all draw when there are more than a browser grants contexts', async () => {
+        const count = 24;
+        const scenes = ['butterfly', 'bspline-forms', 'b-functions'];
+        const figures = Array.from({ length: count }, (_, k) =>
+            `<knotwork-figure id="f${k}" scene="${scenes[k % 3]}" controls="none"></knotwork-figure>`);
+        const shown = await opened(figures.join(''), { viewport: { width: 700, height: 330 * count } });
+        for (let k = 0; k < count; k += 1) await figureReady(shown.page, `#f${k}`);
+        const pictures = [];
+        for (let k = 0; k < count; k += 1) pictures.push(await pictureOf(shown.page, `#f${k}`));
+        assert.ok(colours(pictures[0]) > 50);
+        for (let k = 3; k < count; k += 1) assert.ok(pictures[k].equals(pictures[k % 3]), `figure ${k}`);
+        assert.equal(await shown.page.evaluate(() => globalThis.observed.contexts.length), 1);
+        await assertSilent(shown);
+        await shown.context.close();
+    });
+
     it('draw the same pictures again after a lost context', async () => {
         const shown = await openedTwo();
         const { page } = shown;
