@@ -21,7 +21,7 @@ export async function deflate(bytes) {
 export async function inflate(bytes, most) {
     const stream = make(() => new DecompressionStream(format));
     if (stream !== undefined) {
-        return gather(piped(bytes, stream), most).catch(() => undefined).then((plain) => plain ?? undefined);
+        return gather(piped(bytes, stream), most).catch(() => undefined);
     }
     const zlib = await nodeZlib();
     try {

@@ -118,6 +118,25 @@ test('a payload that inflates without end is refused in good time and space', as
     await refusesLater(kw.decodeLink(link('j', 'x'.repeat(4 * 2 ** 20))), 'TOO_LARGE');
 });
 
+test('where the platform has no streams for it, as in Node 18, links are the same', async () => {
+    const { CompressionStream, DecompressionStream } = globalThis;
+    const document = { knotwork: 1, objects: Array.from({ length: 40 }, (_, i) => ({ ...spline, id: `c${i}` })) };
+    const usual = await kw.encodeLink(document);
+    const lacking = class { constructor() { throw new TypeError('deflate-raw'); } };
+    try {
+        Object.assign(globalThis, { CompressionStream: lacking, DecompressionStream: lacking });
+        const text = await kw.encodeLink(document);
+        assert.match(text, /^#v1\.d\./);
+        assert.deepEqual(await kw.decodeLink(usual), document);
+        assert.deepEqual(await kw.decodeLink(text), document);
+        await refusesLater(kw.decodeLink(link('d', 'AAAA')), 'SYNTAX');
+        const bomb = deflateRawSync(Buffer.alloc(2 ** 21, ' ')).toString('base64url');
+        await refusesLater(kw.decodeLink(link('d', bomb)), 'TOO_LARGE');
+    } finally {
+        Object.assign(globalThis, { CompressionStream, DecompressionStream });
+    }
+});
+
 test('documents of strangers are checked like any other', async () => {
     await refusesLater(kw.decodeLink(link('j', percent([]))), 'WRONG_TYPE', '');
     await refusesLater(kw.decodeLink(link('j', percent({ ...small, objects: [{ ...spline, degree: '3' }] }))), 'WRONG_TYPE', 'objects[0].degree');
