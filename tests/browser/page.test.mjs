@@ -226,6 +226,24 @@ describe('the page', { timeout: 300_000 }, () => {
         }
     });
 
+    it('says so where there is no WebGL, and the numbers still work', async () => {
+        const { page, context, said } = await opened('#bspline-forms', {
+            script: () => {
+                const { getContext } = HTMLCanvasElement.prototype;
+                HTMLCanvasElement.prototype.getContext = function refused(kind, ...rest) {
+                    return kind === '2d' ? getContext.call(this, kind, ...rest) : null;
+                };
+            },
+        });
+        assert.match(await page.locator('knotwork-figure .fallback').innerText(), /WebGL/);
+        const degree = page.getByRole('spinbutton', { name: 'Degree', exact: true });
+        await degree.fill('2');
+        await degree.press('Enter');
+        assert.equal((await documentOf(page)).objects[0].degree, 2);
+        assert.deepEqual(said, []);
+        await context.close();
+    });
+
     it('has the same words in each of its languages', async () => {
         const words = async (language) => JSON.parse(await readFile(
             new URL(`../../web/locales/${language}.json`, import.meta.url), 'utf8')).words;

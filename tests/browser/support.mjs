@@ -74,9 +74,9 @@ function observe() {
  * @param {{ server: { url: string }, browser: import('playwright-core').Browser }} running
  * @param {string} path
  * @param {object} [options] of the browser's context; `html` makes `path` a page of this markup,
- *     `css` its style sheet
+ *     `css` its style sheet; `script` runs before its own
  */
-export async function openPage({ server, browser }, path = '', { html, css = '', ...options } = {}) {
+export async function openPage({ server, browser }, path = '', { html, css = '', script, ...options } = {}) {
     const context = await browser.newContext({
         viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce', colorScheme: 'light',
         locale: 'en-GB', ...options,
@@ -92,6 +92,7 @@ export async function openPage({ server, browser }, path = '', { html, css = '',
         if (response.status() >= 400) said.push(`${response.status()}: ${response.url()}`);
     });
     await page.addInitScript(observe);
+    if (script) await page.addInitScript(script);
     if (html !== undefined) await servePage(page, path, html, css);
     await page.goto(server.url + path);
     return { page, context, said, fetched };
