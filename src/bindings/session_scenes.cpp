@@ -10,9 +10,23 @@ namespace knotwork::bindings {
 
 using scene::Scene;
 
+namespace {
+
+/// Whether a document is larger than a text of it may be. A number takes nine bytes on its way here
+/// and at most 25 as text, so what is small here is small there.
+bool tooLarge(const scene::Json& document, unsigned bytes) {
+    return bytes > scene::maximumDocumentBytes / 3 &&
+           scene::dumpJson(document).size() > scene::maximumDocumentBytes;
+}
+
+}  // namespace
+
 int Session::openScene(unsigned bytes) {
     auto document = input(bytes);
     if (!document) return refuse(document.error());
+    if (tooLarge(*document, bytes)) {
+        return refuse({Code::tooLarge, "", "A document has at most 1 MiB as text."});
+    }
     auto opened = Scene::open(*document);
     if (!opened) return refuse(opened.error());
     return hold(std::make_shared<Scene>(std::move(*opened)));

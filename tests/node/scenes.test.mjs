@@ -287,6 +287,12 @@ test('what is wrong with a document is said with its place', () => {
     bad({ scenery: 1 }, 'UNKNOWN_FIELD', 'scenery');
 });
 
+test('a document of more than a mebibyte is refused', () => {
+    const title = (length) => ({ knotwork: 1, title: 'x'.repeat(length), objects: [] });
+    assert.equal(kw.scene(title(2 ** 20 - 200)).document.title.length, 2 ** 20 - 200);
+    refuses(() => kw.scene(title(2 ** 20)), 'TOO_LARGE', '');
+});
+
 test('moments are checked', () => {
     const scene = open();
     refuses(() => scene.drawing({ phase: 1.5 }), 'OUT_OF_RANGE', 'phase');
