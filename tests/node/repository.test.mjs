@@ -16,8 +16,9 @@ const made = ['.git', 'build', 'dist', 'node_modules'];
 function textFiles(folder = '') {
     return readdirSync(path.join(root, folder), { withFileTypes: true }).flatMap((entry) => {
         const name = folder ? `${folder}/${entry.name}` : entry.name;
-        if (entry.isDirectory()) return made.includes(name) ? [] : textFiles(name);
-        return /\.(png|ttf|wasm|gz|log)$/.test(name) || name === '.git' ? [] : [name];
+        if (made.includes(name)) return [];
+        if (entry.isDirectory()) return textFiles(name);
+        return /\.(png|ttf|wasm|gz|log)$/.test(name) ? [] : [name];
     });
 }
 
