@@ -51,7 +51,8 @@ public:
     [[nodiscard]] Vec3 toPixels(const Vec3& world) const noexcept;
     /// The same relative to the middle of the pane: what becomes float.
     [[nodiscard]] Vec3 toPane(const Vec3& world) const noexcept;
-    /// The inverse of toPixels (z of `pixels` is the depth; a flat one answers with the plane of its centre).
+    /// The inverse of toPixels. z of `pixels` is the depth; a flat projection ignores it and
+    /// answers with a point of the plane z = centre.z.
     [[nodiscard]] Vec3 fromPixels(const Vec3& pixels) const noexcept;
     /// World units per device pixel in x and y at the pane's centre.
     [[nodiscard]] Vec3 unitsPerPixel() const noexcept;

@@ -32,8 +32,9 @@ void main() {
     vec2 sideways = vec2(-forward.y, forward.x);
     bool atEnd = (gl_VertexID & 1) == 1;
     float side = (gl_VertexID & 2) == 2 ? 1.0 : -1.0;
-    vec2 corner = (atEnd ? end.xy + forward * (radius + 1.0) : start.xy - forward * (radius + 1.0)) +
-                  side * (radius + 1.0) * sideways;
+    float reach = radius + 1.0;
+    vec2 tip = atEnd ? end.xy + reach * forward : start.xy - reach * forward;
+    vec2 corner = tip + side * reach * sideways;
     bool drawn = start.w >= 0.0 && end.w >= 0.0;
     gl_Position = drawn ? vec4(corner / (0.5 * view.xy), atEnd ? end.z : start.z, 1.0) : vec4(2.0);
     ends = vec4(start.xy, end.xy);
@@ -46,8 +47,8 @@ void main() {
 
 // Every pixel belongs to the nearest of neighbouring segments; were it blended once for each that
 // reaches it, joins would darken and the edges of finely divided curves would lose their
-// antialiasing. What is equally far from both (the wedge outside a join, the bisector inside) belongs
-// to the earlier one; `tie` is the rounding of distances of up to some tens of pixels.
+// antialiasing. What is equally far from both (the wedge outside a join, the bisector inside)
+// belongs to the earlier one; `tie` is the rounding of distances of up to some tens of pixels.
 inline constexpr std::string_view lineFragmentShader = R"(#version 300 es
 precision highp float;
 uniform vec4 view;

@@ -140,8 +140,8 @@ TEST(LineVertices, ThinLinesHaveNoShorterDashesThanOneCanSee) {
 
 TEST(LineVertices, CrispSegmentsLieBetweenPixels) {
     LineVertices vertices;
-    vertices.segments(pixels(), std::vector<double>{-20, 10.3, 0, 20, 10.3, 0, 7.9, -5, 0, 7.9, 5, 0},
-                      {.width = 1.2, .crisp = true});
+    const std::vector<double> cross{-20, 10.3, 0, 20, 10.3, 0, 7.9, -5, 0, 7.9, 5, 0};
+    vertices.segments(pixels(), cross, {.width = 1.2, .crisp = true});
     ASSERT_EQ(vertices.records().size(), 8U);
     EXPECT_EQ(vertices.records()[1].width, 1);
     EXPECT_EQ(vertices.records()[1].y, 10.5F);

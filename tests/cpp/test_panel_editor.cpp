@@ -10,7 +10,8 @@ using scene::Json;
 
 scene::Scene openSpline() {
     const auto document = scene::parseJson(R"({"knotwork": 1, "objects": [
-        {"id": "a", "type": "bspline-curve", "degree": 2, "points": [[0, 0], [1, 2], [3, 1], [4, 0]]},
+        {"id": "a", "type": "bspline-curve", "degree": 2,
+         "points": [[0, 0], [1, 2], [3, 1], [4, 0]]},
         {"id": "b", "type": "parametric-curve", "name": "circle"}]})");
     return *scene::Scene::open(*document);
 }

@@ -116,7 +116,7 @@ public:
                                                 std::string_view fragmentShader,
                                                 const Layout& layout);
 
-    /// The state that painting relies on: premultiplied blending, scissor on, depth and culling off.
+    /// The state that painting relies on: premultiplied blending, scissor on, depth test off.
     void prepare() noexcept;
     void setArea(const Rect& area) noexcept;  ///< viewport and scissor
     void clear(const scene::Colour& colour) noexcept;
