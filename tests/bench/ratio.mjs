@@ -4,17 +4,19 @@
 const rounds = 9;
 const tries = 3;
 
-/** @param {() => void} act @returns {number} milliseconds */
-function timeOnce(act) {
-    const start = performance.now();
+/** @typedef {() => number} Clock milliseconds */
+
+/** @param {() => void} act @param {Clock} clock @returns {number} milliseconds */
+function timeOnce(act, clock) {
+    const start = clock();
     act();
-    return performance.now() - start;
+    return clock() - start;
 }
 
-/** @param {() => void} act */
-function bestOf(act) {
+/** @param {() => void} act @param {Clock} clock */
+function bestOf(act, clock) {
     let best = Infinity;
-    for (let i = 0; i < tries; ++i) best = Math.min(best, timeOnce(act));
+    for (let i = 0; i < tries; ++i) best = Math.min(best, timeOnce(act, clock));
     return best;
 }
 
@@ -30,9 +32,10 @@ export function median(values) {
  * of each that nobody measures (compilation, first memory).
  * @param {() => void} ours
  * @param {() => void} theirs
+ * @param {Clock} [clock]
  * @returns {{ ratio: number, ours: number, theirs: number }} milliseconds are medians
  */
-export function compare(ours, theirs) {
+export function compare(ours, theirs, clock = () => performance.now()) {
     ours();
     theirs();
     /** @type {number[]} */
@@ -40,8 +43,8 @@ export function compare(ours, theirs) {
     /** @type {number[]} */
     const theirTimes = [];
     for (let i = 0; i < rounds; ++i) {
-        oursTimes.push(bestOf(ours));
-        theirTimes.push(timeOnce(theirs));
+        oursTimes.push(bestOf(ours, clock));
+        theirTimes.push(timeOnce(theirs, clock));
     }
     const result = { ours: median(oursTimes), theirs: median(theirTimes) };
     return { ...result, ratio: result.theirs / result.ours };
