@@ -7,6 +7,8 @@
 
 #include "scene/json.hpp"
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <span>
@@ -47,6 +49,24 @@ struct Choice {
     std::string_view label;
 };
 
+struct Field;
+
+/// A table of fields, as a view that Field itself can hold: a std::span of a type that is not yet
+/// complete is not allowed.
+class FieldTable {
+public:
+    constexpr FieldTable() noexcept = default;
+    template <std::size_t N>
+    constexpr FieldTable(const std::array<Field, N>& table) noexcept
+        : first_(table.data()), count_(N) {}
+
+    [[nodiscard]] constexpr std::span<const Field> all() const noexcept;
+
+private:
+    const Field* first_ = nullptr;
+    std::size_t count_ = 0;
+};
+
 struct Field {
     std::string_view name{};
     std::string_view label{};
@@ -62,8 +82,10 @@ struct Field {
     std::optional<double> defaultNumber{};  ///< in place of defaultJson, from the geometry's tables
     std::optional<std::pair<double, double>> slider{};  ///< the part of the range that a slider offers
     std::span<const Choice> choices{};
-    std::span<const Field> fields{};  ///< of a group
+    FieldTable fields{};  ///< of a group
 };
+
+constexpr std::span<const Field> FieldTable::all() const noexcept { return {first_, count_}; }
 
 struct CurveType {
     std::string_view type;

@@ -58,7 +58,7 @@ private:
         const std::string inside = group.empty() ? std::string(field.label)
                                                  : group + " · " + std::string(field.label);
         switch (field.kind) {
-            case FieldKind::group: members(value, field.fields, path, inside); break;
+            case FieldKind::group: members(value, field.fields.all(), path, inside); break;
             case FieldKind::curve: curve(value, path, inside); break;
             case FieldKind::bFunction: bFunction(value, path, inside); break;
             case FieldKind::bFunctions:

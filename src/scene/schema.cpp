@@ -61,7 +61,7 @@ Json kindSchema(const Field& field) {
         case FieldKind::interval: return tuple(2, 2);
         case FieldKind::panes:
             return listOf({{"enum", Json::array({"curve", "basis", "knots", "bFunction"})}});
-        case FieldKind::group: return objectSchema(field.fields);
+        case FieldKind::group: return objectSchema(field.fields.all());
     }
     return Json::object();
 }

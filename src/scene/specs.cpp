@@ -272,7 +272,7 @@ Result<Made<Curve>> makeObject(const Json& spec) {
         const Json* given = member(*canonical, group);
         const auto field = std::find_if(objectFields().begin(), objectFields().end(),
                                         [&](const Field& f) { return f.name == group; });
-        auto filled = readGroup(given != nullptr ? *given : Json::object(), field->fields);
+        auto filled = readGroup(given != nullptr ? *given : Json::object(), field->fields.all());
         if (!filled) return filled.error().under(group);
         (*canonical)[std::string(group)] = std::move(*filled);
     }

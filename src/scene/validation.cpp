@@ -191,7 +191,7 @@ Result<Json> readField(const Json& given, const Field& field, const Json& parent
         case FieldKind::panes:
             return readList(given, "a list of names of panes",
                             [](const Json& item) { return readName(item, paneChoices); });
-        case FieldKind::group: return readGroup(given, field.fields);
+        case FieldKind::group: return readGroup(given, field.fields.all());
     }
     return wrongType("something else", given);
 }
