@@ -101,9 +101,10 @@ std::optional<Error> checkInsertion(const KnotVector& knots, double t, int times
     const int present = knots.multiplicity(t);
     if (present + times > knots.degree()) {
         return refuse(Code::knotsMultiplicity, "t",
-                      formatNumber(t) + " stands " + std::to_string(present) + " times and would " +
-                          std::to_string(present + times) + " times; at most degree = " +
-                          std::to_string(knots.degree()) + " equal knots can be reached");
+                      "the knot " + formatNumber(t) + " would stand " +
+                          std::to_string(present + times) + " times (now " +
+                          std::to_string(present) + "); insert it until it stands degree = " +
+                          std::to_string(knots.degree()) + " times at most");
     }
     return {};
 }
