@@ -118,8 +118,9 @@ bool App::Parts::panelPointer(int id, const std::string& kind, const Pixel& at, 
 void App::Parts::paintPanel(Slot& slot, const Canvas& canvas) {
     const double time = now();
     host.setTheme(canvas.dark ? ui::ThemeName::dark : ui::ThemeName::light);
-    host.beginFrame({canvas.width, canvas.height, canvas.pixelRatio, time - slot.lastFrame});
+    const double seconds = time - slot.lastFrame;
     slot.lastFrame = time;
+    if (!host.beginFrame({canvas.width, canvas.height, canvas.pixelRatio, seconds})) return;
     const auto& selected = slot.view.selected();
     const int followed = selected ? selected->object : -1;
     if (selected && followed != slot.followedObject) slot.panel.object = followed;

@@ -201,8 +201,8 @@ void ImGuiHost::blur() {
     touched();
 }
 
-void ImGuiHost::beginFrame(const Frame& frame) {
-    if (!started_ || inFrame_) return;
+bool ImGuiHost::beginFrame(const Frame& frame) {
+    if (!started_ || inFrame_) return false;
     ImGui::SetCurrentContext(context_);
     const double ratio = frame.pixelRatio > 0 ? frame.pixelRatio : 1;
     if (std::abs(ratio - pixelRatio_) > 1e-6) buildFonts(ratio);
@@ -214,6 +214,7 @@ void ImGuiHost::beginFrame(const Frame& frame) {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
     inFrame_ = true;
+    return true;
 }
 
 void ImGuiHost::render() {

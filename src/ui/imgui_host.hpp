@@ -60,7 +60,9 @@ public:
     /// The view lost focus or another one gets the panel: releases all keys and buttons.
     void blur();
 
-    void beginFrame(const Frame& frame);
+    /// Whether a frame has begun: without a living context there is none, and nothing may be put
+    /// into it.
+    [[nodiscard]] bool beginFrame(const Frame& frame);
     /// Ends the frame and paints it.
     void render();
 

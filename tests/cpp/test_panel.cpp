@@ -41,7 +41,7 @@ protected:
 
     void frame() {
         const auto pixels = [this](double css) { return static_cast<int>(css * ratio); };
-        host.beginFrame({pixels(800), pixels(600), ratio, 1.0 / 60});
+        if (!host.beginFrame({pixels(800), pixels(600), ratio, 1.0 / 60})) return;
         panel(scene, state, {10, 10, 300, 580}, host.colours());
         host.render();
     }
