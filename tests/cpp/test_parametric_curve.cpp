@@ -4,6 +4,7 @@
 #include "support/calculus.hpp"
 #include "support/function_gates.hpp"
 #include "support/truth.hpp"
+#include "support/model_curves.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,22 +22,11 @@ namespace {
 
 namespace gates = test::gates;
 using test::Complex;
-using Parameters = std::vector<NamedValue>;
+using test::Parameters;
+using test::make;
+using test::rowsOf;
 
 constexpr double pi = std::numbers::pi;
-
-ParametricCurve make(std::string_view name, const Parameters& parameters = {},
-                     std::optional<Interval> domain = std::nullopt) {
-    auto made = ParametricCurve::make(name, parameters, domain);
-    EXPECT_TRUE(made.ok()) << name;
-    return made.ok() ? std::move(made).value() : ParametricCurve::make("circle").value();
-}
-
-std::vector<Vec3> rowsOf(const ParametricCurve& curve, double t, std::size_t count) {
-    std::vector<Vec3> rows(count);
-    curve.derivatives(t, rows);
-    return rows;
-}
 
 double decimal(const nlohmann::json& text) { return std::stod(text.get<std::string>()); }
 

@@ -1,5 +1,6 @@
 // Domains, closure and refusals of the model curves.
 #include "geometry/parametric_curve.hpp"
+#include "support/model_curves.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,23 +14,12 @@
 namespace knotwork {
 namespace {
 
-using Parameters = std::vector<NamedValue>;
+using test::Parameters;
+using test::make;
+using test::rowsOf;
 
 constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-ParametricCurve make(std::string_view name, const Parameters& parameters = {},
-                     std::optional<Interval> domain = std::nullopt) {
-    auto made = ParametricCurve::make(name, parameters, domain);
-    EXPECT_TRUE(made.ok()) << name;
-    return made.ok() ? std::move(made).value() : ParametricCurve::make("circle").value();
-}
-
-std::vector<Vec3> rowsOf(const ParametricCurve& curve, double t, std::size_t count) {
-    std::vector<Vec3> rows(count);
-    curve.derivatives(t, rows);
-    return rows;
-}
 
 // --- domains -------------------------------------------------------------------------------------
 

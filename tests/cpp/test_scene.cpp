@@ -3,6 +3,7 @@
 #include "scene/builtin.hpp"
 #include "scene/effects.hpp"
 #include "scene/fields.hpp"
+#include "support/json_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,11 +13,7 @@
 namespace knotwork::scene {
 namespace {
 
-Json json(std::string_view text) {
-    auto parsed = parseJson(text);
-    EXPECT_TRUE(parsed.ok()) << text;
-    return parsed.ok() ? *parsed : Json();
-}
+using test::json;
 
 constexpr const char* twoObjects = R"({
     "knotwork": 1, "title": "Two",

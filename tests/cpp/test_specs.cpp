@@ -1,4 +1,5 @@
 #include "scene/specs.hpp"
+#include "support/json_text.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,11 +11,7 @@
 namespace knotwork::scene {
 namespace {
 
-Json json(std::string_view text) {
-    auto parsed = parseJson(text);
-    EXPECT_TRUE(parsed.ok()) << text;
-    return parsed.ok() ? *parsed : Json();
-}
+using test::json;
 
 struct Refusal {
     const char* text;
