@@ -1,7 +1,8 @@
 # The session behind the bindings is plain C++: everything in src/bindings but the registration.
 file(GLOB session_sources CONFIGURE_DEPENDS
     "${PROJECT_SOURCE_DIR}/src/bindings/marshal*.cpp"
-    "${PROJECT_SOURCE_DIR}/src/bindings/session*.cpp")
+    "${PROJECT_SOURCE_DIR}/src/bindings/session*.cpp"
+    "${PROJECT_SOURCE_DIR}/src/bindings/queries*.cpp")
 add_library(knotwork_session STATIC ${session_sources})
 target_link_libraries(knotwork_session PUBLIC knotwork_drawing PRIVATE knotwork_our_code)
 

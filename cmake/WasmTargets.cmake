@@ -2,7 +2,8 @@
 # are compiled into each, since nothing refers to their registration and an archive would drop it.
 set(bindings "${PROJECT_SOURCE_DIR}/src/bindings")
 file(GLOB headless_sources CONFIGURE_DEPENDS
-    "${bindings}/marshal*.cpp" "${bindings}/session*.cpp" "${bindings}/headless*.cpp")
+    "${bindings}/marshal*.cpp" "${bindings}/session*.cpp" "${bindings}/queries*.cpp"
+    "${bindings}/headless*.cpp")
 file(GLOB page_sources CONFIGURE_DEPENDS "${bindings}/*.cpp")
 
 knotwork_wasm_module(knotwork EXPORT_NAME createKnotwork

@@ -20,13 +20,13 @@ export class Curve extends Held {
     #closed;
     #dimension;
 
-    /** @param {Core} core @param {number} handle of a curve made just now, its traits in the block */
-    constructor(core, handle) {
+    /** @param {Core} core @param {number} handle @param {ArrayLike<number>} traits as Session::holdCurve leaves them */
+    constructor(core, handle, traits) {
         super(core, handle);
-        this.#start = core.number(0);
-        this.#end = core.number(1);
-        this.#closed = core.number(2) === 1;
-        this.#dimension = core.number(3);
+        this.#start = traits[0];
+        this.#end = traits[1];
+        this.#closed = traits[2] === 1;
+        this.#dimension = traits[3];
     }
 
     /** @returns {[number, number]} */
@@ -169,13 +169,36 @@ export class BlendingCurve extends Curve {
 const kinds = [BsplineCurve, ParametricCurve, BlendingCurve];
 
 /**
- * The curve behind a handle that was made just now.
+ * The curve behind a handle, which was made just now where its traits still stand in the block.
  * @param {Core} core
  * @param {number} handle
+ * @param {ArrayLike<number>} traits
  * @returns {Curve}
  */
-function adopt(core, handle) {
-    return new kinds[core.number(4)](core, handle);
+function adopt(core, handle, traits = core.block(0, 5)) {
+    return new kinds[traits[4]](core, handle, traits);
+}
+
+/**
+ * What a curve answers to a question by name; `curves` in the answer are curves already.
+ * @param {Curve} curve
+ * @param {string} question
+ * @param {object} given
+ * @returns {any}
+ */
+export function ask(curve, question, given) {
+    const { core, handle } = Held.of(curve);
+    return withCurves(core, core.json('askCurve', question, handle, core.send(given)));
+}
+
+/**
+ * @param {Core} core
+ * @param {any} answer of a question by name
+ */
+export function withCurves(core, answer) {
+    /** @param {{ handle: number, traits: number[] }} found */
+    const adopted = ({ handle, traits }) => adopt(core, handle, traits);
+    return answer.curves ? { ...answer, curves: answer.curves.map(adopted) } : answer;
 }
 
 /** @param {Core} core @param {unknown} spec */

@@ -34,6 +34,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("bFunctionDerivatives", &Session::bFunctionDerivatives)
         .function("bFunctionSample", &Session::bFunctionSample)
         .function("bFunctions", &Session::bFunctions)
+        .function("ask", &Session::ask)
+        .function("askCurve", &Session::askCurve)
         .function("curve", &Session::curve)
         .function("curveSpec", &Session::curveSpec)
         .function("curvePoint", &Session::curvePoint)

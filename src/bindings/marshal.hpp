@@ -37,6 +37,11 @@ inline constexpr int maximumDerivative = 25;
 /// at the address `at`.
 [[nodiscard]] std::string drawingJson(const drawing::Drawing& drawing, const scene::State& state);
 
+/// Rows of an answer with so many derivatives: the point is the zeroth.
+[[nodiscard]] inline std::size_t rowsOf(int derivatives) noexcept {
+    return static_cast<std::size_t>(derivatives) + 1;
+}
+
 /// OUT_OF_RANGE at `name` unless 0 ≤ n ≤ 25.
 [[nodiscard]] Result<Done> checkDerivative(int n, std::string_view name);
 /// NOT_FINITE or OUT_OF_RANGE at `t` unless 0 ≤ t ≤ 1.

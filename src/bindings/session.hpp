@@ -8,6 +8,7 @@
 // are bytes from the start of memory. Texts are JSON.
 #pragma once
 
+#include "bindings/queries.hpp"
 #include "drawing/drawing.hpp"
 #include "geometry/b_function.hpp"
 #include "geometry/curve.hpp"
@@ -28,6 +29,9 @@ namespace knotwork::bindings {
 
 /// The facade asks for samples in blocks of so many points, which fit the first cache.
 inline constexpr std::size_t blockPoints = 1024;
+
+/// How many numbers of the block tell what kind of curve was made.
+inline constexpr std::size_t curveTraits = 5;
 
 class Session {
 public:
@@ -64,6 +68,11 @@ public:
     /// block: `count` ≤ 1024 values, the first at `first` of `total` uniform ones.
     [[nodiscard]] bool bFunctionSample(int handle, unsigned first, unsigned count, unsigned total);
     [[nodiscard]] std::string bFunctions() const;
+
+    // Questions by name, as the tables of queries.hpp have them; the name is never the user's. The
+    // input is the object of the arguments; the answer is JSON, "" for a refusal.
+    [[nodiscard]] std::string askCurve(const std::string& name, int handle, unsigned bytes);
+    [[nodiscard]] std::string ask(const std::string& name, unsigned bytes);
 
     // Curves of every kind. What makes one also leaves in block: start and end of its domain, 1
     // where it is closed, its dimension, and its kind's place in Curve::Kind.
@@ -143,6 +152,7 @@ private:
     [[nodiscard]] const BsplineCurve* findBspline(int handle);
     [[nodiscard]] const BlendingCurve* findBlending(int handle);
     int leave(std::vector<double> numbers, std::size_t count);
+    std::string deliver(Result<Answer> answer);
 
     Error error_;
     std::vector<std::uint8_t> room_;

@@ -1,8 +1,6 @@
 // The part of the session that holds and evaluates curves.
 #include "bindings/marshal.hpp"
 #include "bindings/session.hpp"
-#include "geometry/bspline_basis.hpp"
-#include "geometry/refinement.hpp"
 #include "geometry/tessellation.hpp"
 
 #include <algorithm>
@@ -13,17 +11,11 @@ using scene::Made;
 
 namespace {
 
-Error notOfKind(std::string_view kind) {
-    return {Code::notSupported, "", "Only a " + std::string(kind) + " answers this."};
-}
-
 void write(const Vec3& v, double* at) noexcept {
     at[0] = v.x;
     at[1] = v.y;
     at[2] = v.z;
 }
-
-std::size_t rowsOf(int derivatives) noexcept { return static_cast<std::size_t>(derivatives) + 1; }
 
 }  // namespace
 
@@ -56,12 +48,12 @@ int Session::curve(unsigned bytes) {
 }
 
 /// Bytes are kept of B-spline curves only; those that made the curve make it again, with its
-/// specification.
+/// specification. A curve that was computed has neither.
 const scene::Json& Session::specOf(CurveValue& held) {
     if (!held.spec) {
         const auto given = readCbor(held.source);
         auto made = given ? scene::makeCurve(*given) : Result<Made<Curve>>(given.error());
-        held.spec = made ? std::move(made->spec) : scene::specOf(*held.curve.as<BsplineCurve>());
+        held.spec = made ? std::move(made->spec) : scene::specOf(held.curve);
         held.source = {};
     }
     return *held.spec;
@@ -144,99 +136,6 @@ int Session::curvePolyline(int handle, double tolerance) {
 
 std::string Session::parametricCurves() const {
     return scene::dumpJson(scene::describeParametricCurves());
-}
-
-const BsplineCurve* Session::findBspline(int handle) {
-    const auto* held = find<CurveValue>(handle);
-    const auto* spline = held ? held->curve.as<BsplineCurve>() : nullptr;
-    if (held && !spline) refuse(notOfKind("B-spline curve"));
-    return spline;
-}
-
-const BlendingCurve* Session::findBlending(int handle) {
-    const auto* held = find<CurveValue>(handle);
-    const auto* blending = held ? held->curve.as<BlendingCurve>() : nullptr;
-    if (held && !blending) refuse(notOfKind("blending curve"));
-    return blending;
-}
-
-int Session::curveKnots(int handle) {
-    const auto* held = find<CurveValue>(handle);
-    if (!held) return -1;
-    std::vector<double> knots;
-    if (const auto* blending = held->curve.as<BlendingCurve>()) {
-        knots = blending->knots();
-    } else if (const auto* spline = findBspline(handle)) {
-        const std::span<const double> given = spline->knotVector().knots();
-        knots.assign(given.begin(), given.end());
-    } else {
-        return -1;
-    }
-    const std::size_t count = knots.size();
-    return leave(std::move(knots), count);
-}
-
-int Session::curveGrevilles(int handle) {
-    const auto* spline = findBspline(handle);
-    if (!spline) return -1;
-    std::vector<double> grevilles = spline->knotVector().grevilles();
-    const std::size_t count = grevilles.size();
-    return leave(std::move(grevilles), count);
-}
-
-int Session::curveInsertKnot(int handle, double t, int times) {
-    const auto* spline = findBspline(handle);
-    if (!spline) return 0;
-    auto refined = insertKnot(*spline, t, times);
-    if (!refined) return refuse(refined.error());
-    scene::Json spec = scene::specOf(*refined);
-    return holdCurve(Made<Curve>{std::move(spec), Curve(std::move(*refined))});
-}
-
-int Session::curveBasis(int handle, double t, int derivatives) {
-    const auto* spline = findBspline(handle);
-    if (!spline) return -1;
-    const auto inside = parameterInDomain(find<CurveValue>(handle)->curve, t);
-    const auto order = checkDerivative(derivatives, "derivatives");
-    if (!inside || !order) {
-        refuse(inside ? order.error() : inside.error());
-        return -1;
-    }
-    const auto count = static_cast<std::size_t>(spline->knotVector().pointCount());
-    std::vector<double> rows(count * rowsOf(derivatives));
-    basisRows(spline->knotVector(), *inside, Side::right, derivatives, rows);
-    return leave(std::move(rows), count);
-}
-
-int Session::curveBlendBasis(int handle, double t) {
-    const auto* blending = findBlending(handle);
-    if (!blending) return -1;
-    const auto inside = parameterInDomain(find<CurveValue>(handle)->curve, t);
-    if (!inside) {
-        refuse(inside.error());
-        return -1;
-    }
-    std::vector<double> weights = blending->blendBasis(*inside);
-    const std::size_t count = weights.size();
-    return leave(std::move(weights), count);
-}
-
-int Session::curveWithPose(int handle, int local, unsigned bytes) {
-    const auto* blending = findBlending(handle);
-    if (!blending) return 0;
-    const std::size_t count = blending->locals().size();
-    if (local < 0 || static_cast<std::size_t>(local) >= count) {
-        return refuse({Code::outOfRange, "j",
-                       "There is no local curve " + std::to_string(local) + "; they are 0 to " +
-                           std::to_string(count - 1) + "."});
-    }
-    auto pose = input(bytes);
-    if (!pose) return refuse(pose.error());
-    auto spec = specWithPose(specOf(*find<CurveValue>(handle)), local, std::move(*pose));
-    if (!spec) return refuse(spec.error());
-    auto made = scene::makeCurve(*spec);
-    if (!made) return refuse(seenFromPose(made.error()));
-    return holdCurve(std::move(made));
 }
 
 }  // namespace knotwork::bindings

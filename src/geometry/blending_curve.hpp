@@ -85,6 +85,7 @@ public:
     /// rows[k] = the k-th derivative; outside the domain a closed curve wraps and an open one is
     /// continued by its end local.
     void evaluate(double t, Side side, std::span<Vec3> rows) const noexcept;
+    [[nodiscard]] std::span<const double> breaks() const noexcept { return knots_; }
     void points(std::span<const double> ts, std::span<Vec3> out) const noexcept;
 
     /// The n weights with which the locals are blended at t: at most two are not zero, sum 1.

@@ -38,6 +38,12 @@ public:
     /// continued as point(). O(d² · rows).
     void derivatives(double t, Side side, std::span<Vec3> rows) const noexcept;
 
+    // As every kind of curve.
+    void evaluate(double t, Side side, std::span<Vec3> rows) const noexcept {
+        derivatives(t, side, rows);
+    }
+    [[nodiscard]] std::span<const double> breaks() const noexcept { return knots_.knots(); }
+
     friend bool operator==(const BsplineCurve&, const BsplineCurve&) = default;
 
 private:

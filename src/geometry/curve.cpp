@@ -15,10 +15,6 @@ constexpr std::size_t blockSize = 256;
 
 }  // namespace
 
-Curve::Curve(BsplineCurve curve) : kind_(std::make_shared<const Kind>(std::move(curve))) {}
-Curve::Curve(ParametricCurve curve) : kind_(std::make_shared<const Kind>(std::move(curve))) {}
-Curve::Curve(BlendingCurve curve) : kind_(std::make_shared<const Kind>(std::move(curve))) {}
-
 Interval domain(const Curve& curve) noexcept {
     return std::visit([](const auto& kind) { return kind.domain(); }, curve.kind());
 }
@@ -47,30 +43,8 @@ Result<double> parameterInDomain(const Curve& curve, double t) {
                       formatNumber(whole.start) + ", " + formatNumber(whole.end) + "].");
 }
 
-namespace {
-
-struct Evaluate {
-    double t;
-    Side side;
-    std::span<Vec3> rows;
-
-    void operator()(const BsplineCurve& curve) const noexcept {
-        curve.derivatives(t, side, rows);
-    }
-    void operator()(const ParametricCurve& curve) const noexcept {
-        if (rows.size() == 1) {
-            rows[0] = curve.point(t);  // jets of order 0 cost several times as much
-        } else {
-            curve.derivatives(t, rows);
-        }
-    }
-    void operator()(const BlendingCurve& curve) const noexcept { curve.evaluate(t, side, rows); }
-};
-
-}  // namespace
-
 void evaluate(const Curve& curve, double t, Side side, std::span<Vec3> rows) noexcept {
-    std::visit(Evaluate{t, side, rows}, curve.kind());
+    std::visit([&](const auto& kind) { kind.evaluate(t, side, rows); }, curve.kind());
 }
 
 Vec3 pointAt(const Curve& curve, double t) noexcept {
@@ -78,6 +52,25 @@ Vec3 pointAt(const Curve& curve, double t) noexcept {
     Vec3 point;
     evaluate(curve, t, t == domain(curve).end ? Side::left : Side::right, {&point, 1});
     return point;
+}
+
+std::vector<double> breakParameters(const Curve& curve, const Interval& part) {
+    const std::span<const double> knots =
+        std::visit([](const auto& kind) { return kind.breaks(); }, curve.kind());
+    std::vector<double> breaks;
+    if (knots.empty()) return breaks;
+    const double period = isClosed(curve) ? domain(curve).length() : 0;
+    const auto turnAt = [&](double t) {
+        return period > 0 ? std::floor((t - domain(curve).start) / period) : 0;
+    };
+    for (double turn = turnAt(part.start); turn <= turnAt(part.end); ++turn) {
+        for (const double knot : knots) {
+            const double t = knot + turn * period;
+            const bool isNew = breaks.empty() || t > breaks.back();
+            if (isNew && t > part.start && t < part.end) breaks.push_back(t);
+        }
+    }
+    return breaks;
 }
 
 /// A B-spline's pieces are made once; the others are sampled as they are.

@@ -1,7 +1,8 @@
 // A curve of any kind: the one vocabulary in which every kind is evaluated.
 //
-// The kinds are a closed variant of values, visited once per batch. A Curve is cheap to copy: what
-// it holds is immutable and shared.
+// The kinds are a closed variant of values, visited once per batch. Each answers domain(), closed(),
+// dimension(), evaluate(t, side, rows) for any t and breaks(); whatever else holds for every curve is
+// made of these. A Curve is cheap to copy: what it holds is immutable and shared.
 #pragma once
 
 #include "geometry/blending_curve.hpp"
@@ -12,7 +13,10 @@
 
 #include <memory>
 #include <span>
+#include <type_traits>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace knotwork {
 
@@ -20,9 +24,10 @@ class Curve {
 public:
     using Kind = std::variant<BsplineCurve, ParametricCurve, BlendingCurve>;
 
-    Curve(BsplineCurve curve);
-    Curve(ParametricCurve curve);
-    Curve(BlendingCurve curve);
+    /// Of any of the kinds.
+    template <class T>
+        requires std::is_constructible_v<Kind, T&&> && (!std::is_same_v<std::decay_t<T>, Curve>)
+    Curve(T&& curve) : kind_(std::make_shared<const Kind>(std::forward<T>(curve))) {}
 
     [[nodiscard]] const Kind& kind() const noexcept { return *kind_; }
     template <class T>
@@ -46,6 +51,11 @@ private:
 /// its end piece).
 void evaluate(const Curve& curve, double t, Side side, std::span<Vec3> rows) noexcept;
 [[nodiscard]] Vec3 pointAt(const Curve& curve, double t) noexcept;
+
+/// Parameters inside a part of the parameter, ends excluded, between which the curve is smooth
+/// (analytic, for all kinds but those with a B-function that is not): its knots, ascending and each
+/// once, repeated by periods where the curve is closed. The part may reach outside the domain.
+[[nodiscard]] std::vector<double> breakParameters(const Curve& curve, const Interval& part);
 
 /// Points first … first+count−1 of `total` spread uniformly over the domain, both ends included,
 /// as x,y,z triples. What is made once per call (polynomial pieces) is made by a CurveSampler.

@@ -48,6 +48,16 @@ public:
     /// out.size() points, uniform in the parameter over the domain, both ends included.
     void sampleUniform(std::span<Vec3> out) const noexcept;
 
+    // As every kind of curve; it has no sides and no knots.
+    void evaluate(double t, Side, std::span<Vec3> rows) const noexcept {
+        if (rows.size() == 1) {
+            rows[0] = point(t);  // jets of order 0 cost several times as much
+        } else {
+            derivatives(t, rows);
+        }
+    }
+    [[nodiscard]] std::span<const double> breaks() const noexcept { return {}; }
+
     // What it was made from.
     [[nodiscard]] std::string_view name() const noexcept { return description().name; }
     [[nodiscard]] const ParametricModelDescription& description() const noexcept {

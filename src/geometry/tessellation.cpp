@@ -19,28 +19,15 @@ constexpr int maximumDepth = 24;
 /// The error is looked at in three points of a chord only, hence this share of the tolerance.
 constexpr double share = 0.9;
 
-/// Parameters where the curve may be less smooth, ascending, the ends of the part included.
-std::vector<double> breakParameters(const Curve& curve, const Interval& part) {
-    std::vector<double> breaks{part.start};
-    const auto addKnots = [&](std::span<const double> knots, double period) {
-        const double first = period > 0 ? std::floor((part.start - knots.front()) / period) : 0;
-        const double last = period > 0 ? std::floor((part.end - knots.front()) / period) : 0;
-        for (double turn = first; turn <= last; ++turn) {
-            for (const double knot : knots) {
-                const double t = knot + turn * period;
-                if (t > breaks.back() && t < part.end) breaks.push_back(t);
-            }
-        }
-    };
-    if (const auto* spline = curve.as<BsplineCurve>()) {
-        addKnots(spline->knotVector().knots(), spline->closed() ? spline->domain().length() : 0);
-    } else if (const auto* blend = curve.as<BlendingCurve>()) {
-        addKnots(blend->knots(), blend->closed() ? blend->domain().length() : 0);
-    } else {
+/// Where the curve is cut before anything is looked at, the ends of the part included.
+std::vector<double> cuts(const Curve& curve, const Interval& part) {
+    std::vector<double> breaks = breakParameters(curve, part);
+    if (breaks.empty()) {
         for (int i = 1; i < formulaPieces; ++i) {
             breaks.push_back(part.start + part.length() * i / formulaPieces);
         }
     }
+    breaks.insert(breaks.begin(), part.start);
     breaks.push_back(part.end);
     return breaks;
 }
@@ -141,7 +128,7 @@ Polyline polyline(const Curve& curve, double tolerance) {
 
 Polyline polyline(const Curve& curve, const Interval& part, double tolerance) {
     Refiner refiner(curve, tolerance);
-    const std::vector<double> breaks = breakParameters(curve, part);
+    const std::vector<double> breaks = cuts(curve, part);
     for (std::size_t i = 1; i < breaks.size(); ++i) refiner.piece(breaks[i - 1], breaks[i]);
     return refiner.take();
 }

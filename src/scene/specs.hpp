@@ -25,8 +25,9 @@ struct Made {
 /// in; an id that was left out stays out.
 [[nodiscard]] Result<Made<Curve>> makeObject(const Json& spec);
 
-/// The specification of a B-spline curve that has been computed.
-[[nodiscard]] Json specOf(const BsplineCurve& curve);
+/// The canonical specification of a curve that has been computed; makeCurve() makes it again, equal
+/// to rounding. For the kinds that are ever computed.
+[[nodiscard]] Json specOf(const Curve& curve);
 
 /// kw.bFunctions: [{ family, label, formula, parameters: [{ name, label, min, max, default, … }] }].
 [[nodiscard]] Json describeBFunctions();

@@ -1,0 +1,32 @@
+#include "bindings/queries.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace knotwork::bindings {
+
+namespace {
+
+constexpr std::array<std::span<const CurveQuery>, 0> curveTopics{};
+constexpr std::array<std::span<const FreeQuery>, 0> freeTopics{};
+
+template <class Query, std::size_t N>
+const Query* findIn(const std::array<std::span<const Query>, N>& topics,
+                    std::string_view name) noexcept {
+    for (const std::span<const Query> topic : topics) {
+        const auto found = std::find_if(topic.begin(), topic.end(),
+                                        [&](const Query& query) { return query.name == name; });
+        if (found != topic.end()) return &*found;
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+const CurveQuery* findCurveQuery(std::string_view name) noexcept {
+    return findIn(curveTopics, name);
+}
+
+const FreeQuery* findFreeQuery(std::string_view name) noexcept { return findIn(freeTopics, name); }
+
+}  // namespace knotwork::bindings

@@ -1,0 +1,63 @@
+// The part of the session that only B-spline curves answer.
+#include "bindings/marshal.hpp"
+#include "bindings/session.hpp"
+#include "geometry/bspline_basis.hpp"
+#include "geometry/refinement.hpp"
+
+namespace knotwork::bindings {
+
+const BsplineCurve* Session::findBspline(int handle) {
+    const auto* held = find<CurveValue>(handle);
+    const auto* spline = held ? held->curve.as<BsplineCurve>() : nullptr;
+    if (held && !spline) refuse({Code::notSupported, "", "Only a B-spline curve answers this."});
+    return spline;
+}
+
+int Session::curveKnots(int handle) {
+    const auto* held = find<CurveValue>(handle);
+    if (!held) return -1;
+    std::vector<double> knots;
+    if (const auto* blending = held->curve.as<BlendingCurve>()) {
+        knots = blending->knots();
+    } else if (const auto* spline = findBspline(handle)) {
+        const std::span<const double> given = spline->knotVector().knots();
+        knots.assign(given.begin(), given.end());
+    } else {
+        return -1;
+    }
+    const std::size_t count = knots.size();
+    return leave(std::move(knots), count);
+}
+
+int Session::curveGrevilles(int handle) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return -1;
+    std::vector<double> grevilles = spline->knotVector().grevilles();
+    const std::size_t count = grevilles.size();
+    return leave(std::move(grevilles), count);
+}
+
+int Session::curveInsertKnot(int handle, double t, int times) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return 0;
+    auto refined = insertKnot(*spline, t, times);
+    if (!refined) return refuse(refined.error());
+    return holdCurve({Curve(std::move(*refined)), std::nullopt, std::nullopt, {}});
+}
+
+int Session::curveBasis(int handle, double t, int derivatives) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return -1;
+    const auto inside = parameterInDomain(find<CurveValue>(handle)->curve, t);
+    const auto order = checkDerivative(derivatives, "derivatives");
+    if (!inside || !order) {
+        refuse(inside ? order.error() : inside.error());
+        return -1;
+    }
+    const auto count = static_cast<std::size_t>(spline->knotVector().pointCount());
+    std::vector<double> rows(count * rowsOf(derivatives));
+    basisRows(spline->knotVector(), *inside, Side::right, derivatives, rows);
+    return leave(std::move(rows), count);
+}
+
+}  // namespace knotwork::bindings

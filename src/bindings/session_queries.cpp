@@ -1,0 +1,58 @@
+// The part of the session that answers questions by name.
+#include "bindings/queries.hpp"
+#include "bindings/session.hpp"
+#include "scene/validation.hpp"
+
+namespace knotwork::bindings {
+
+using scene::Json;
+
+namespace {
+
+Result<Answer> answerOf(const CurveQuery& query, const Curve& curve, const Json& given) {
+    const auto arguments = scene::readGroup(given, query.fields);
+    return arguments ? query.answer(curve, *arguments) : Result<Answer>(arguments.error());
+}
+
+Result<Answer> answerOf(const FreeQuery& query, const Json& given) {
+    if (!query.checked) return query.answer(given);
+    const auto arguments = scene::readGroup(given, query.fields);
+    return arguments ? query.answer(*arguments) : Result<Answer>(arguments.error());
+}
+
+}  // namespace
+
+std::string Session::deliver(Result<Answer> answer) {
+    if (!answer) {
+        refuse(answer.error());
+        return {};
+    }
+    for (Curve& curve : answer->curves) {
+        const int handle = holdCurve({std::move(curve), std::nullopt, std::nullopt, {}});
+        if (handle == 0) return {};
+        Json traits = Json::array();
+        for (std::size_t i = 0; i < curveTraits; ++i) traits.push_back(block_[i]);
+        answer->json["curves"].push_back({{"handle", handle}, {"traits", std::move(traits)}});
+    }
+    if (!answer->numbers.empty()) {
+        answer->json["count"] = answer->numbers.size();
+        bulk_ = std::move(answer->numbers);
+    }
+    return scene::dumpJson(answer->json);
+}
+
+std::string Session::askCurve(const std::string& name, int handle, unsigned bytes) {
+    const auto* held = find<CurveValue>(handle);
+    if (!held) return {};
+    const auto given = input(bytes);
+    if (!given) return deliver(given.error());
+    return deliver(answerOf(*findCurveQuery(name), held->curve, *given));
+}
+
+std::string Session::ask(const std::string& name, unsigned bytes) {
+    const auto given = input(bytes);
+    if (!given) return deliver(given.error());
+    return deliver(answerOf(*findFreeQuery(name), *given));
+}
+
+}  // namespace knotwork::bindings

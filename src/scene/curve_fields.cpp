@@ -1,0 +1,103 @@
+// The tables of curves, and of the local curves and poses of blending curves.
+#include "scene/fields.hpp"
+#include "scene/rotation_fields.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace knotwork::scene {
+
+namespace {
+
+constexpr std::array formChoices{
+    Choice{"clamped", "Clamped"}, Choice{"open", "Open"}, Choice{"closed", "Closed"}};
+constexpr std::array blendFormChoices{Choice{"open", "Open"}, Choice{"closed", "Closed"}};
+constexpr std::array fitChoices{Choice{"affine", "Affine"}};
+constexpr std::array localKindChoices{Choice{"sub-curve", "Sub-curve"}};
+
+constexpr std::array bsplineFields{
+    Field{.name = "degree", .label = "Degree", .kind = FieldKind::integer,
+          .help = "Degree of the polynomial pieces; the order is one more.",
+          .min = 1, .max = 25, .maxIsSize = true, .required = true},
+    Field{.name = "form", .label = "Form", .kind = FieldKind::choice,
+          .help = "Clamped ends in its end points, open does not, closed has no ends.",
+          .defaultJson = "\"clamped\"", .choices = formChoices},
+    Field{.name = "points", .label = "Control points", .kind = FieldKind::points,
+          .help = "The control polygon.", .required = true},
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
+          .help = "Points + degree + 1 numbers, or points + 1 of one period where closed; they "
+                  "must not decrease."},
+    Field{.name = "weights", .label = "Weights", .kind = FieldKind::numbers,
+          .help = "One positive number a point makes the curve rational."},
+};
+
+constexpr std::array parametricFields{
+    Field{.name = "name", .label = "Curve", .kind = FieldKind::curveName,
+          .help = "The formula of the curve.", .required = true},
+    Field{.name = "parameters", .label = "Parameters", .kind = FieldKind::parameters,
+          .help = "The numbers of its formula.", .defaultJson = "{}"},
+    Field{.name = "domain", .label = "Domain", .kind = FieldKind::interval,
+          .help = "Where the parameter runs, [start, end]."},
+};
+
+constexpr std::array blendingFields{
+    Field{.name = "bFunction", .label = "B-function", .kind = FieldKind::bFunction,
+          .help = "Blends each local curve into the next.", .required = true},
+    Field{.name = "model", .label = "Model", .kind = FieldKind::curve,
+          .help = "The curve that the local curves are cut from."},
+    Field{.name = "locals", .label = "Local curves", .kind = FieldKind::locals,
+          .help = "How many to cut from the model, or the local curves themselves.",
+          .required = true},
+    Field{.name = "form", .label = "Form", .kind = FieldKind::choice,
+          .help = "A closed curve blends its last local curve into its first.",
+          .choices = blendFormChoices},
+    Field{.name = "fit", .label = "Fit", .kind = FieldKind::choice,
+          .help = "Maps each local curve's own domain onto the interval where it takes part.",
+          .choices = fitChoices},
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
+          .help = "Where each local curve is centred; a closed curve has one more, the period "
+                  "after the first."},
+    Field{.name = "poses", .label = "Poses", .kind = FieldKind::poses,
+          .help = "How local curves are scaled, turned and moved.", .defaultJson = "[]"},
+};
+
+constexpr std::array types{
+    CurveType{"bspline-curve", "B-spline curve", bsplineFields},
+    CurveType{"parametric-curve", "Parametric curve", parametricFields},
+    CurveType{"blending-curve", "Blending curve", blendingFields},
+};
+
+constexpr std::array poseTable{
+    Field{.name = "local", .label = "Local curve", .kind = FieldKind::integer,
+          .help = "Which local curve, counted from 0.", .min = 0, .max = 9999, .required = true},
+    Field{.name = "translate", .label = "Move", .kind = FieldKind::point,
+          .help = "Moves the local curve.", .defaultJson = "[0,0,0]"},
+    Field{.name = "rotate", .label = "Turn", .kind = FieldKind::group,
+          .help = "Turns it about its point at its knot.", .defaultJson = "{}",
+          .fields = rotateFields},
+    Field{.name = "scale", .label = "Scale", .kind = FieldKind::scale,
+          .help = "Scales it about its point at its knot.", .defaultJson = "1"},
+};
+
+constexpr std::array localsTable{
+    Field{.name = "count", .label = "Number", .kind = FieldKind::integer,
+          .help = "How many local curves are cut from the model.", .min = 2, .max = 10'000,
+          .maxIsSize = true, .required = true},
+    Field{.name = "kind", .label = "Kind", .kind = FieldKind::choice,
+          .help = "What is cut from the model.", .defaultJson = "\"sub-curve\"",
+          .choices = localKindChoices},
+};
+
+}  // namespace
+
+std::span<const CurveType> curveTypes() noexcept { return types; }
+std::span<const Field> poseFields() noexcept { return poseTable; }
+std::span<const Field> localsFields() noexcept { return localsTable; }
+
+const CurveType* findCurveType(std::string_view type) noexcept {
+    const auto found = std::find_if(types.begin(), types.end(),
+                                    [&](const CurveType& t) { return t.type == type; });
+    return found == types.end() ? nullptr : &*found;
+}
+
+}  // namespace knotwork::scene

@@ -1,0 +1,25 @@
+// From checked specifications to geometry, one function a type. For specs.cpp and the builders
+// themselves, which call each other for nested curves; everyone else calls makeCurve().
+//
+// A builder trusts the types and ranges of the fields, since validation came first, and fills into
+// the specification what it computes (knots, forms, domains).
+#pragma once
+
+#include "geometry/curve.hpp"
+#include "scene/json.hpp"
+
+namespace knotwork::scene {
+
+[[nodiscard]] Result<BFunction> buildBFunction(const Json& spec);
+
+/// Of any type; the keys are in the order of the field tables afterwards.
+[[nodiscard]] Result<Curve> buildCurve(Json& spec);
+
+[[nodiscard]] Result<Curve> buildBspline(Json& spec);
+[[nodiscard]] Result<Curve> buildParametric(Json& spec);
+[[nodiscard]] Result<Curve> buildBlending(Json& spec);
+
+// And back again, for what is computed.
+[[nodiscard]] Json specOf(const BsplineCurve& curve);
+
+}  // namespace knotwork::scene
