@@ -165,8 +165,14 @@ export class BlendingCurve extends Curve {
     }
 }
 
+export class BezierCurve extends Curve {}
+export class LineCurve extends Curve {}
+export class ArcCurve extends Curve {}
+/** A local curve of a blending curve where it takes part, posed. */
+export class LocalCurve extends Curve {}
+
 /** In the order of Curve::Kind. */
-const kinds = [BsplineCurve, ParametricCurve, BlendingCurve];
+const kinds = [BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve, ArcCurve, LocalCurve];
 
 /**
  * The curve behind a handle, which was made just now where its traits still stand in the block.

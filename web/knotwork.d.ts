@@ -38,6 +38,9 @@ export interface Knotwork {
     curve(spec: BsplineCurveSpec): BsplineCurve;
     curve(spec: ParametricCurveSpec): ParametricCurve;
     curve(spec: BlendingCurveSpec): BlendingCurve;
+    curve(spec: BezierCurveSpec): BezierCurve;
+    curve(spec: LineCurveSpec): LineCurve;
+    curve(spec: ArcCurveSpec): ArcCurve;
     curve(spec: CurveSpec): Curve;
     /** The named curves and their parameters. */
     readonly parametricCurves: ParametricCurveModel[];
@@ -166,7 +169,37 @@ export interface BlendingCurveSpec {
     poses?: readonly ({ local: number } & Pose)[];
 }
 
-export type CurveSpec = BsplineCurveSpec | ParametricCurveSpec | BlendingCurveSpec;
+/** Degree = points − 1, at most 25. Like the two below it is continued by its formula. */
+export interface BezierCurveSpec {
+    type: 'bezier-curve';
+    points: Points;
+    /** One positive number a point makes the curve rational. */
+    weights?: Numbers;
+    /** Default [0, 1]. */
+    domain?: readonly [number, number];
+}
+
+export interface LineCurveSpec {
+    type: 'line-curve';
+    from: Point;
+    to: Point;
+    /** Default [0, 1]. */
+    domain?: readonly [number, number];
+}
+
+/** The arc of constant speed with this point and this curvature, and this first derivative, at `at`. */
+export interface ArcCurveSpec {
+    type: 'arc-curve';
+    at: number;
+    point: Point;
+    /** Not zero. */
+    first: Point;
+    second: Point;
+    domain: readonly [number, number];
+}
+
+export type CurveSpec = BsplineCurveSpec | ParametricCurveSpec | BlendingCurveSpec | BezierCurveSpec
+    | LineCurveSpec | ArcCurveSpec;
 
 /** Outside its domain a closed curve wraps and any other is OUT_OF_RANGE. */
 export interface Curve extends Disposable {
@@ -213,6 +246,18 @@ export interface BlendingCurve extends Curve {
     /** The weights with which the local curves are blended at t: at most two are not 0, sum 1. */
     blendBasis(t: number): number[];
     readonly spec: BlendingCurveSpec;
+}
+
+export interface BezierCurve extends Curve {
+    readonly spec: BezierCurveSpec;
+}
+
+export interface LineCurve extends Curve {
+    readonly spec: LineCurveSpec;
+}
+
+export interface ArcCurve extends Curve {
+    readonly spec: ArcCurveSpec;
 }
 
 export interface ParametricCurveModel {

@@ -120,6 +120,11 @@ Interval supportOf(std::span<const double> knots, std::size_t j, BlendForm form)
     return {j == 0 ? knots[last - 1] - period : knots[j - 1], knots[j + 1]};
 }
 
+/// From where a local curve is seen: the left where nothing of it is to the right of its knot.
+Side seenFrom(std::span<const double> knots, std::size_t j) noexcept {
+    return j + 1 == knots.size() || knots[j + 1] == knots[j] ? Side::left : Side::right;
+}
+
 double binomial(std::size_t n, std::size_t k) noexcept {
     double value = 1;
     for (std::size_t i = 1; i <= k; ++i) {
@@ -159,42 +164,6 @@ Vec3 blendedPoint(double weight, const LocalCurve& first, const LocalCurve& seco
 
 }  // namespace
 
-LocalCurve::LocalCurve(std::shared_ptr<const Curve> source, double rate, double shift, double knot,
-                       const Pose& pose)
-    : source_(std::move(source)), rate_(rate), shift_(shift),
-      origin_(pointAt(*source_, rate * knot + shift)), pose_(pose),
-      placement_(affineOf(pose, origin_)) {}
-
-void LocalCurve::evaluate(double t, Side side, std::span<Vec3> rows) const noexcept {
-    knotwork::evaluate(*source_, rate_ * t + shift_, side, rows);
-    place(rows);
-}
-
-void LocalCurve::place(std::span<Vec3> rows) const noexcept {
-    if (rows.empty()) return;
-    rows[0] = placement_.point(rows[0]);
-    double power = rate_;
-    for (Vec3& row : rows.subspan(1)) {
-        row = power * placement_.vector(row);
-        power *= rate_;
-    }
-}
-
-Vec3 LocalCurve::point(double t) const noexcept {
-    return placement_.point(pointAt(*source_, rate_ * t + shift_));
-}
-
-LocalCurve LocalCurve::withPose(const Pose& pose) const {
-    LocalCurve posed = *this;
-    posed.pose_ = pose;
-    posed.placement_ = affineOf(pose, origin_);
-    return posed;
-}
-
-bool LocalCurve::planar() const noexcept {
-    return knotwork::dimension(*source_) == 2 && (pose_.isIdentity() || pose_.keepsPlane());
-}
-
 BlendingCurve::BlendingCurve(std::shared_ptr<const Curve> model, std::vector<LocalCurve> locals,
                              BlendForm form, BFunction blend, std::vector<double> knots)
     : model_(std::move(model)), form_(form), blend_(std::move(blend)), knots_(std::move(knots)) {
@@ -217,7 +186,8 @@ Result<BlendingCurve> BlendingCurve::fromModel(Curve model, std::size_t count, B
     std::vector<LocalCurve> locals;
     locals.reserve(count);
     for (std::size_t j = 0; j < count; ++j) {
-        locals.emplace_back(shared, 1.0, 0.0, knots[j], poseOf(poses, j));
+        locals.emplace_back(shared, 1.0, 0.0, knots[j], seenFrom(knots, j), poseOf(poses, j),
+                            supportOf(knots, j, form));
     }
     return BlendingCurve(shared, std::move(locals), form, std::move(blend), std::move(knots));
 }
@@ -248,7 +218,8 @@ Result<BlendingCurve> BlendingCurve::fromLocals(std::vector<Curve> sources, Blen
             shift = from.start - rate * onto.start;
         }
         locals.emplace_back(std::make_shared<const Curve>(std::move(sources[j])), rate, shift,
-                            knots[j], poseOf(poses, j));
+                            knots[j], seenFrom(knots, j), poseOf(poses, j),
+                            supportOf(knots, j, form));
     }
     return BlendingCurve(nullptr, std::move(locals), form, std::move(blend), std::move(knots));
 }
@@ -294,8 +265,7 @@ void BlendingCurve::evaluate(double t, Side side, std::span<Vec3> rows) const no
     const LocalCurve& first = (*locals_)[span.first];
     const LocalCurve& second = (*locals_)[span.second];
     // Sub-curves of one model need the model only once: the blend is one of affine maps.
-    const bool oneModel = span.shift == 0 && first.sharedSource() == second.sharedSource() &&
-                          first.rate() == second.rate() && first.shift() == second.shift();
+    const bool oneModel = span.shift == 0 && first.runsWith(second);
     if (rows.size() == 1) {
         const double weight = blend_.value((span.t - span.start) / span.length);
         rows[0] = oneModel ? blendedPoint(weight, first, second, span.t, side)

@@ -11,6 +11,7 @@
 
 #include "geometry/b_function.hpp"
 #include "geometry/interval.hpp"
+#include "geometry/local_curve.hpp"
 #include "geometry/pose.hpp"
 #include "geometry/result.hpp"
 
@@ -19,40 +20,6 @@
 #include <vector>
 
 namespace knotwork {
-
-class Curve;
-
-/// A curve that takes part in a blend: a source over the global parameter (or over its own, by
-/// source parameter = rate·t + shift), posed about its own origin, its point at its knot.
-class LocalCurve {
-public:
-    LocalCurve(std::shared_ptr<const Curve> source, double rate, double shift, double knot,
-               const Pose& pose);
-
-    void evaluate(double t, Side side, std::span<Vec3> rows) const noexcept;
-    [[nodiscard]] Vec3 point(double t) const noexcept;
-    /// Turns rows of the source into rows of this local: the pose and the chain rule of `rate`.
-    void place(std::span<Vec3> rows) const noexcept;
-
-    [[nodiscard]] const Curve& source() const noexcept { return *source_; }
-    [[nodiscard]] const std::shared_ptr<const Curve>& sharedSource() const noexcept { return source_; }
-    [[nodiscard]] const Pose& pose() const noexcept { return pose_; }
-    [[nodiscard]] const Affine& placement() const noexcept { return placement_; }
-    /// Where the local stands before it is posed, the pivot of scale and rotation.
-    [[nodiscard]] const Vec3& origin() const noexcept { return origin_; }
-    [[nodiscard]] double rate() const noexcept { return rate_; }
-    [[nodiscard]] double shift() const noexcept { return shift_; }
-    [[nodiscard]] LocalCurve withPose(const Pose& pose) const;
-    [[nodiscard]] bool planar() const noexcept;
-
-private:
-    std::shared_ptr<const Curve> source_;
-    double rate_;
-    double shift_;
-    Vec3 origin_;
-    Pose pose_;
-    Affine placement_;
-};
 
 enum class BlendForm { open, closed };
 

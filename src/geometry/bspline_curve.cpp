@@ -1,6 +1,7 @@
 #include "geometry/bspline_curve.hpp"
 
 #include "geometry/bspline_kernels.hpp"
+#include "geometry/checks.hpp"
 
 #include <glm/vec4.hpp>
 
@@ -15,7 +16,6 @@ namespace knotwork {
 
 namespace {
 
-constexpr double largestCoordinate = 1e12;
 constexpr double smallestWeight = 1e-9;  // with largestWeight: no product comes near overflow
 constexpr double largestWeight = 1e9;
 
@@ -30,17 +30,7 @@ MaybeError checkLength(std::size_t given, int needed, const char* path) {
 }
 
 MaybeError checkPoint(const Vec3& point, std::size_t index, int dimension) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const double coordinate = point[axis];
-        if (!std::isfinite(coordinate)) {
-            return refuse(Code::notFinite, indexed("points", index),
-                          formatNumber(coordinate) + " is not a finite coordinate");
-        }
-        if (std::abs(coordinate) > largestCoordinate) {
-            return refuse(Code::outOfRange, indexed("points", index),
-                          formatNumber(coordinate) + " is out of range; coordinates lie in ±1e12");
-        }
-    }
+    if (!allowedCoordinates(point)) return checkCoordinates(point, indexed("points", index));
     if (dimension == 2 && point.z != 0) {
         return refuse(Code::outOfRange, indexed("points", index),
                       "z is " + formatNumber(point.z) + "; it must be 0 in two dimensions");

@@ -64,19 +64,23 @@ std::vector<double> breakParameters(const Curve& curve, const Interval& part) {
         return period > 0 ? std::floor((t - domain(curve).start) / period) : 0;
     };
     for (double turn = turnAt(part.start); turn <= turnAt(part.end); ++turn) {
-        for (const double knot : knots) {
-            const double t = knot + turn * period;
-            const bool isNew = breaks.empty() || t > breaks.back();
-            if (isNew && t > part.start && t < part.end) breaks.push_back(t);
+        const auto first = std::lower_bound(knots.begin(), knots.end(), part.start - turn * period);
+        for (auto knot = first; knot != knots.end(); ++knot) {
+            const double t = *knot + turn * period;
+            if (t >= part.end) break;
+            if (t > part.start && (breaks.empty() || t > breaks.back())) breaks.push_back(t);
         }
     }
     return breaks;
 }
 
-/// A B-spline's pieces are made once; the others are sampled as they are.
+/// A B-spline's or Bézier curve's pieces are made once; the others are sampled as they are.
 struct CurveSampler::Prepared {
     explicit Prepared(const Curve& of) : curve(of) {
         if (const auto* spline = of.as<BsplineCurve>()) pieces.emplace(*spline);
+        if (const auto* bezier = of.as<BezierCurve>()) {
+            if (const auto same = asBspline(*bezier)) pieces.emplace(*same);
+        }
     }
 
     void block(std::span<const double> ts, std::span<Vec3> out) const noexcept {
@@ -84,6 +88,16 @@ struct CurveSampler::Prepared {
             parametric->samplePoints(ts, out);
         } else if (const auto* blending = curve.as<BlendingCurve>()) {
             blending->points(ts, out);
+        } else {
+            const double end = domain(curve).end;
+            std::visit(
+                [&](const auto& kind) {
+                    for (std::size_t i = 0; i < ts.size(); ++i) {
+                        const Side side = ts[i] == end ? Side::left : Side::right;
+                        kind.evaluate(ts[i], side, out.subspan(i, 1));
+                    }
+                },
+                curve.kind());
         }
     }
 

@@ -5,9 +5,13 @@
 // made of these. A Curve is cheap to copy: what it holds is immutable and shared.
 #pragma once
 
+#include "geometry/arc_curve.hpp"
+#include "geometry/bezier_curve.hpp"
 #include "geometry/blending_curve.hpp"
 #include "geometry/bspline_curve.hpp"
 #include "geometry/interval.hpp"
+#include "geometry/line_curve.hpp"
+#include "geometry/local_curve.hpp"
 #include "geometry/parametric_curve.hpp"
 #include "geometry/vec.hpp"
 
@@ -22,7 +26,8 @@ namespace knotwork {
 
 class Curve {
 public:
-    using Kind = std::variant<BsplineCurve, ParametricCurve, BlendingCurve>;
+    using Kind = std::variant<BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve,
+                              ArcCurve, LocalCurve>;
 
     /// Of any of the kinds.
     template <class T>

@@ -1,5 +1,7 @@
 #include "geometry/parametric_curve.hpp"
 
+#include "geometry/checks.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -16,9 +18,6 @@ constexpr int largestDenominator = 64;
 constexpr double ratioTolerance = 1e-9;
 // "To rounding" for a seam: far above what sin and cos leave (1e-15 |t|), far below any real gap.
 constexpr double seamTolerance = 1e-9;
-constexpr double largestParameter = 1e9;
-constexpr double smallestDomain = 1e-6;
-constexpr double smallestRelativeDomain = 1e-9;
 
 struct Fraction {
     std::int64_t p = 0;
@@ -151,29 +150,6 @@ bool closesOn(const ParametricCurve& curve, const Prepared& prepared) noexcept {
     }
     const Vec3 gap = curve.point(domain.end) - curve.point(domain.start);
     return glm::length(gap) <= seamTolerance * std::max(prepared.size, 1e-300);
-}
-
-std::optional<Error> checkDomain(const Interval& domain) {
-    const std::array ends{domain.start, domain.end};
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-        if (!std::isfinite(ends[i])) {
-            return refuse(Code::notFinite, indexed("domain", i),
-                          "the domain ends at " + formatNumber(ends[i]));
-        }
-        if (std::abs(ends[i]) > largestParameter) {
-            return refuse(
-                Code::outOfRange, indexed("domain", i),
-                "the domain reaches " + formatNumber(ends[i]) + "; parameters go from -1e9 to 1e9");
-        }
-    }
-    const double reach = std::max(std::abs(domain.start), std::abs(domain.end));
-    if (!(domain.length() >= std::max(smallestDomain, smallestRelativeDomain * reach))) {
-        return refuse(
-            Code::outOfRange, "domain",
-            "the domain [" + formatNumber(domain.start) + ", " + formatNumber(domain.end) +
-                "] must be ascending and at least 1e-6 (and 1e-9 of its larger end) long");
-    }
-    return std::nullopt;
 }
 
 std::string knownModels() {

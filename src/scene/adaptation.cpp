@@ -234,6 +234,7 @@ void adaptCurve(const Json& before, Json& after) {
     const std::string type = stringOr(before, "type", "");
     if (stringOr(after, "type", "") != type) return;
     if (type == "bspline-curve") adaptBspline(before, after);
+    if (type == "bezier-curve" && isListOfPoints(after)) adaptWeights(before, after);
     if (type == "parametric-curve") adaptParametric(before, after);
     if (type == "blending-curve") adaptBlending(before, after);
 }

@@ -61,10 +61,47 @@ constexpr std::array blendingFields{
           .help = "How local curves are scaled, turned and moved.", .defaultJson = "[]"},
 };
 
+constexpr Field segmentDomain{.name = "domain", .label = "Domain", .kind = FieldKind::interval,
+                              .help = "Where the parameter runs, [start, end].",
+                              .defaultJson = "[0,1]"};
+
+constexpr std::array bezierFields{
+    Field{.name = "points", .label = "Control points", .kind = FieldKind::points,
+          .help = "The control polygon; the degree is one less than their number.",
+          .required = true},
+    Field{.name = "weights", .label = "Weights", .kind = FieldKind::numbers,
+          .help = "One positive number a point makes the curve rational."},
+    segmentDomain,
+};
+
+constexpr std::array lineFields{
+    Field{.name = "from", .label = "From", .kind = FieldKind::point,
+          .help = "The point at the start of the domain.", .required = true},
+    Field{.name = "to", .label = "To", .kind = FieldKind::point,
+          .help = "The point at the end of the domain.", .required = true},
+    segmentDomain,
+};
+
+constexpr std::array arcFields{
+    Field{.name = "at", .label = "At", .kind = FieldKind::number,
+          .help = "The parameter of the given point.", .min = -1e9, .max = 1e9, .required = true},
+    Field{.name = "point", .label = "Point", .kind = FieldKind::point,
+          .help = "The point at that parameter.", .required = true},
+    Field{.name = "first", .label = "First derivative", .kind = FieldKind::point,
+          .help = "Direction and speed there; not zero.", .required = true},
+    Field{.name = "second", .label = "Second derivative", .kind = FieldKind::point,
+          .help = "Gives the curvature; what lies along the first is lost.", .required = true},
+    Field{.name = "domain", .label = "Domain", .kind = FieldKind::interval,
+          .help = "Where the parameter runs, [start, end].", .required = true},
+};
+
 constexpr std::array types{
     CurveType{"bspline-curve", "B-spline curve", bsplineFields},
     CurveType{"parametric-curve", "Parametric curve", parametricFields},
     CurveType{"blending-curve", "Blending curve", blendingFields},
+    CurveType{"bezier-curve", "Bézier curve", bezierFields},
+    CurveType{"line-curve", "Line", lineFields},
+    CurveType{"arc-curve", "Arc", arcFields},
 };
 
 constexpr std::array poseTable{

@@ -18,8 +18,14 @@ namespace knotwork::scene {
 [[nodiscard]] Result<Curve> buildBspline(Json& spec);
 [[nodiscard]] Result<Curve> buildParametric(Json& spec);
 [[nodiscard]] Result<Curve> buildBlending(Json& spec);
+[[nodiscard]] Result<Curve> buildBezier(Json& spec);
+[[nodiscard]] Result<Curve> buildLine(Json& spec);
+[[nodiscard]] Result<Curve> buildArc(Json& spec);
 
 // And back again, for what is computed.
 [[nodiscard]] Json specOf(const BsplineCurve& curve);
+[[nodiscard]] Json specOf(const BezierCurve& curve);
+[[nodiscard]] Json specOf(const LineCurve& curve);
+[[nodiscard]] Json specOf(const ArcCurve& curve);
 
 }  // namespace knotwork::scene

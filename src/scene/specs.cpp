@@ -20,6 +20,9 @@ constexpr std::array builders{
     Builder{"bspline-curve", buildBspline},
     Builder{"parametric-curve", buildParametric},
     Builder{"blending-curve", buildBlending},
+    Builder{"bezier-curve", buildBezier},
+    Builder{"line-curve", buildLine},
+    Builder{"arc-curve", buildArc},
 };
 
 /// The keys of a curve in the order of the tables: what was computed stands last until then.
@@ -97,7 +100,10 @@ Result<Made<Curve>> makeObject(const Json& spec) {
 }
 
 Json specOf(const Curve& curve) {
-    // Only B-spline curves are computed from others.
+    // The other kinds are never computed.
+    if (const auto* bezier = curve.as<BezierCurve>()) return specOf(*bezier);
+    if (const auto* line = curve.as<LineCurve>()) return specOf(*line);
+    if (const auto* arc = curve.as<ArcCurve>()) return specOf(*arc);
     return specOf(*curve.as<BsplineCurve>());
 }
 
