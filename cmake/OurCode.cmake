@@ -10,11 +10,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
     list(APPEND KNOTWORK_WARNING_OPTIONS -Wno-restrict)
 endif()
 
-# LLVM 14 (Emscripten 3.1.6) may load again for a splat what it has just overwritten when it makes
-# lanes of straight-line code (`row = matrix * row` came out wrong). The kernels that matter are
-# written with intrinsics, so nothing is lost without that.
 if(EMSCRIPTEN)
-    list(APPEND KNOTWORK_CODE_OPTIONS -msimd128 -flto -fno-slp-vectorize)
+    list(APPEND KNOTWORK_CODE_OPTIONS -msimd128 -flto)
 endif()
 
 add_library(knotwork_our_code INTERFACE)
@@ -29,15 +26,26 @@ if(KNOTWORK_SANITIZE)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
+# knotwork_optimise(sources fast): how the sources of a target are optimised for wasm.
+#
+# Size counts there: with -O2 everywhere the headless module had 212 kB gzipped when it had 147 with
+# -Oz everywhere. The `fast` ones hold loops over many points and what is done for every
+# picture: at -O2 they take a third of the time. They get no -Oz at all, since Emscripten 3.1.6 stops
+# inlining for a file whose command line has it anywhere, whatever follows.
+#
+# LLVM 14 (Emscripten 3.1.6) may load again for a splat what it has just overwritten when it makes
+# lanes of straight-line code (`row = matrix * row` came out wrong), so it may not. The kernels that
+# matter are written with intrinsics, and nothing is lost. The option counts only after -O.
+function(knotwork_optimise sources fast)
+    set_source_files_properties(${sources} PROPERTIES
+        COMPILE_OPTIONS "-Oz;-fno-slp-vectorize")
+    set_source_files_properties(${fast} PROPERTIES COMPILE_OPTIONS "-O2;-fno-slp-vectorize")
+endfunction()
+
 # knotwork_layer(name [USES libraries...] [FAST files...]): the library knotwork_<name> from
 # src/<name>/*.cpp. A layer that has no sources is an interface library, so that the others can always
 # name it. What calls WebGL lies in src/<name>/gl and is compiled for wasm only; everything else also
 # natively, for the tests.
-#
-# Size counts in wasm: with -O3 everywhere the headless module had 221 kB gzipped, with -Oz and
-# link-time optimisation 139. The FAST files hold the loops over many points: at -O2 they cost 7 kB
-# and make blending curves four times as fast. They get no -Oz at all, since Emscripten 3.1.6 stops
-# inlining for a file whose command line has it anywhere, whatever follows.
 function(knotwork_layer name)
     cmake_parse_arguments(PARSE_ARGV 1 layer "" "" "USES;FAST")
     set(folder "${PROJECT_SOURCE_DIR}/src/${name}")
@@ -55,7 +63,6 @@ function(knotwork_layer name)
     target_link_libraries(knotwork_${name} PUBLIC ${layer_USES} PRIVATE knotwork_our_code)
     if(EMSCRIPTEN)
         list(TRANSFORM layer_FAST REPLACE "(.+)" "${folder}/\\1.cpp")
-        set_source_files_properties(${sources} PROPERTIES COMPILE_OPTIONS -Oz)
-        set_source_files_properties(${layer_FAST} PROPERTIES COMPILE_OPTIONS -O2)
+        knotwork_optimise("${sources}" "${layer_FAST}")
     endif()
 endfunction()

@@ -1,4 +1,4 @@
-# knotwork_wasm_module(name EXPORT_NAME ... SOURCES ... USES ... LINK ...): one module of glue (.mjs)
+# knotwork_wasm_module(name EXPORT_NAME ... SOURCES ... FAST ... USES ... LINK ...): one module of glue (.mjs)
 # and wasm. The glue runs in Node and in browsers; the loader in web/ always hands it the bytes of
 # the wasm, so the glue never has to find a file by itself.
 set(KNOTWORK_WASM_LINK_OPTIONS
@@ -10,10 +10,10 @@ set(KNOTWORK_WASM_LINK_OPTIONS
     -sALLOW_MEMORY_GROWTH -sMAXIMUM_MEMORY=2147483648
     -sTOTAL_STACK=1048576   # the default is 5 MiB in 3.1.6 and 64 KiB in 3.1.69
     -sASSERTIONS=0 -sMALLOC=emmalloc
-    -Wl,-mllvm,-vectorize-slp=false)  # as when compiling: cmake/OurCode.cmake says why
+    -Wl,-mllvm,-slp-threshold=10000)  # as when compiling: cmake/OurCode.cmake says why
 
 function(knotwork_wasm_module name)
-    cmake_parse_arguments(PARSE_ARGV 1 module "" "EXPORT_NAME" "SOURCES;USES;LINK")
+    cmake_parse_arguments(PARSE_ARGV 1 module "" "EXPORT_NAME" "SOURCES;FAST;USES;LINK")
     if(NOT module_SOURCES)
         return()
     endif()
@@ -21,7 +21,7 @@ function(knotwork_wasm_module name)
     set_target_properties(${name} PROPERTIES SUFFIX .mjs)
     # embind without RTTI needs to be told that it cannot name types it was never told about
     target_compile_definitions(${name} PRIVATE EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
-    target_compile_options(${name} PRIVATE -Oz)
+    knotwork_optimise("${module_SOURCES}" "${module_FAST}")
     target_link_libraries(${name} PRIVATE ${module_USES} knotwork_our_code)
     if(EXISTS /usr/share/nodejs/acorn)
         # Debian's Emscripten 3.1.6 needs acorn, which a node that is not Debian's own does not find
@@ -29,6 +29,6 @@ function(knotwork_wasm_module name)
             "${CMAKE_COMMAND} -E env NODE_PATH=/usr/share/nodejs:$ENV{NODE_PATH}")
     endif()
     target_link_options(${name} PRIVATE
-        -Oz -flto -msimd128 ${KNOTWORK_WASM_LINK_OPTIONS} -sEXPORT_NAME=${module_EXPORT_NAME}
+        -O2 -flto -msimd128 ${KNOTWORK_WASM_LINK_OPTIONS} -sEXPORT_NAME=${module_EXPORT_NAME}
         ${module_LINK})
 endfunction()

@@ -6,12 +6,16 @@ file(GLOB headless_sources CONFIGURE_DEPENDS
     "${bindings}/headless*.cpp")
 file(GLOB page_sources CONFIGURE_DEPENDS "${bindings}/*.cpp")
 
+# What stands between a program and the points of a curve that it has just changed.
+set(fast_bindings session session_curves marshal_bspline marshal_cbor)
+list(TRANSFORM fast_bindings REPLACE "(.+)" "${bindings}/\\1.cpp")
+
 knotwork_wasm_module(knotwork EXPORT_NAME createKnotwork
-    SOURCES ${headless_sources}
+    SOURCES ${headless_sources} FAST ${fast_bindings}
     USES knotwork_drawing)
 
 knotwork_wasm_module(knotwork_page EXPORT_NAME createKnotworkPage
-    SOURCES ${page_sources}
+    SOURCES ${page_sources} FAST ${fast_bindings}
     USES knotwork_app
     LINK -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
         -sEXPORTED_RUNTIME_METHODS=GL)  # the page makes the context and hands it over

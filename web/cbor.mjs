@@ -15,6 +15,8 @@ const openMap = 0xbf;
 const closeMap = 0xff;
 const simple = { false: 0xf4, true: 0xf5, null: 0xf6 };
 const double = 0xfb;
+/** Before a byte: how many numbers each point has whose numbers follow (a tag of RFC 8746's kind). */
+const rowsOf = [0xd8, 40];
 
 const loneSurrogate = /[\uD800-\uDFFF]/u;
 const utf8 = new TextEncoder();
@@ -40,7 +42,7 @@ export class Encoder {
      */
     encode(value) {
         this.#length = 0;
-        this.#trail.length = 0;
+        if (this.#trail.length > 0) this.#trail.length = 0;
         this.#busy = true;
         try {
             this.#value(value);
@@ -93,17 +95,70 @@ export class Encoder {
     /** @param {unknown[]} list */
     #list(list) {
         const { length } = list;
+        const first = length > 0 ? list[0] : undefined;
+        if (typeof first === 'number' && this.#packedNumbers(list, length)) return;
+        if (Array.isArray(first) && this.#packedPoints(list, length, first.length)) return;
         this.#head(majorArray, length);
         for (let i = 0; i < length; ++i) {
+            this.#trail.push(i);
+            this.#value(list[i]);
+            this.#trail.pop();
+        }
+    }
+
+    /**
+     * A list of numbers as their bytes, which is what lists mostly are; false where it is none.
+     * @param {unknown[]} list
+     * @param {number} length
+     */
+    #packedNumbers(list, length) {
+        const start = this.#length;
+        this.#head(majorBytes, 8 * length);
+        this.#reserve(8 * length);
+        const view = this.#view;
+        let at = this.#length;
+        for (let i = 0; i < length; ++i, at += 8) {
             const value = list[i];
-            if (typeof value === 'number') {
-                this.#number(value);
-            } else {
-                this.#trail.push(i);
-                this.#value(value);
-                this.#trail.pop();
+            if (typeof value !== 'number') return this.#backTo(start);
+            view.setFloat64(at, value, true);
+        }
+        this.#length = at;
+        return true;
+    }
+
+    /**
+     * A list of points of equal dimension, likewise.
+     * @param {unknown[]} list
+     * @param {number} length
+     * @param {number} width
+     */
+    #packedPoints(list, length, width) {
+        if (width !== 2 && width !== 3) return false;
+        const start = this.#length;
+        this.#byte(rowsOf[0]);
+        this.#byte(rowsOf[1]);
+        this.#byte(width);
+        this.#head(majorBytes, 8 * width * length);
+        this.#reserve(8 * width * length);
+        const view = this.#view;
+        let at = this.#length;
+        for (let i = 0; i < length; ++i) {
+            const point = list[i];
+            if (!Array.isArray(point) || point.length !== width) return this.#backTo(start);
+            for (let axis = 0; axis < width; ++axis, at += 8) {
+                const value = point[axis];
+                if (typeof value !== 'number') return this.#backTo(start);
+                view.setFloat64(at, value, true);
             }
         }
+        this.#length = at;
+        return true;
+    }
+
+    /** @param {number} length */
+    #backTo(length) {
+        this.#length = length;
+        return false;
     }
 
     /** @param {Float64Array} numbers */

@@ -25,6 +25,8 @@ export class Core {
     #encoder = new Encoder();
     #blockStart;
     #parametersStart;
+    #roomStart = 0;
+    #roomSize = 0;
     #ended = false;
     /** @type {FinalizationRegistry<number> | undefined} */
     #registry;
@@ -98,8 +100,11 @@ export class Core {
     send(value) {
         const encoder = this.#encoder.busy ? new Encoder() : this.#encoder;
         const bytes = encoder.encode(value);
-        const start = this.call('room', bytes.length);
-        this.#module.HEAPU8.set(bytes, start);
+        if (bytes.length > this.#roomSize) {
+            this.#roomStart = this.call('room', 2 * bytes.length);
+            this.#roomSize = 2 * bytes.length;
+        }
+        this.#module.HEAPU8.set(bytes, this.#roomStart);
         return bytes.length;
     }
 

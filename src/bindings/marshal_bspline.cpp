@@ -29,50 +29,31 @@ std::optional<Form> formNamed(std::string_view name) noexcept {
     return std::nullopt;
 }
 
-bool readNumbers(CborCursor& cursor, const CborItem& item, std::vector<double>& numbers) {
-    if (item.length > 2 * maxPointCount) return false;
+bool readNumbers(const CborItem& item, std::vector<double>& numbers) {
+    if (item.kind != Kind::numbers || item.length > 2 * maxPointCount) return false;
     numbers.resize(item.length);
-    for (std::size_t i = 0; i < item.length; ++i) {
-        const CborItem one = item.kind == Kind::list ? cursor.next() : CborItem{};
-        if (item.kind == Kind::list && one.kind != Kind::number) return false;
-        numbers[i] = item.kind == Kind::list ? one.number : item.numberAt(i);
-    }
-    return item.kind == Kind::list || item.kind == Kind::numbers;
+    for (std::size_t i = 0; i < item.length; ++i) numbers[i] = item.numberAt(i);
+    return !numbers.empty();
 }
 
-bool readPoint(CborCursor& cursor, Vec3& point) {
-    const CborItem item = cursor.next();
-    if (item.kind != Kind::list || item.length < 2 || item.length > 3) return false;
-    double xyz[3] = {0, 0, 0};
-    for (std::size_t c = 0; c < item.length; ++c) {
-        const CborItem one = cursor.next();
-        if (one.kind != Kind::number) return false;
-        xyz[c] = one.number;
+/// Flat triples, or points of one dimension; any other list is unusual.
+bool readPoints(const CborItem& item, std::vector<Vec3>& points) {
+    const std::size_t width = item.kind == Kind::points ? item.width : 3;
+    if (item.kind != Kind::points && item.kind != Kind::numbers) return false;
+    if (item.length % width != 0 || item.length > width * maxPointCount) return false;
+    points.resize(item.length / width);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t at = i * width;
+        points[i] = {item.numberAt(at), item.numberAt(at + 1), width == 3 ? item.numberAt(at + 2) : 0};
     }
-    point = {xyz[0], xyz[1], xyz[2]};
     return true;
-}
-
-bool readPoints(CborCursor& cursor, const CborItem& item, std::vector<Vec3>& points) {
-    if (item.kind == Kind::numbers) {
-        if (item.length % 3 != 0 || item.length > 3 * maxPointCount) return false;
-        points.resize(item.length / 3);
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            points[i] = {item.numberAt(3 * i), item.numberAt(3 * i + 1), item.numberAt(3 * i + 2)};
-        }
-        return true;
-    }
-    if (item.kind != Kind::list || item.length > maxPointCount) return false;
-    points.resize(item.length);
-    return std::all_of(points.begin(), points.end(),
-                       [&](Vec3& point) { return readPoint(cursor, point); });
 }
 
 bool readField(CborCursor& cursor, std::string_view key, Parts& parts) {
     const CborItem value = cursor.next();
-    if (key == "points") return readPoints(cursor, value, parts.points);
-    if (key == "knots") return readNumbers(cursor, value, parts.knots) && !parts.knots.empty();
-    if (key == "weights") return readNumbers(cursor, value, parts.weights) && !parts.weights.empty();
+    if (key == "points") return readPoints(value, parts.points);
+    if (key == "knots") return readNumbers(value, parts.knots);
+    if (key == "weights") return readNumbers(value, parts.weights);
     if (key == "degree") {
         parts.degree = value.number;
         return value.kind == Kind::number;

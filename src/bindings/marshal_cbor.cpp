@@ -22,6 +22,8 @@ constexpr std::uint8_t trueItem = 0xf5;
 constexpr std::uint8_t nullItem = 0xf6;
 constexpr std::uint8_t doubleItem = 0xfb;
 constexpr std::uint8_t closeMap = 0xff;
+constexpr std::uint8_t tag = 0xd8;
+constexpr std::uint8_t pointsTag = 40;  // then the dimension and the numbers
 
 /// A number that begins with its highest byte, as CBOR's do.
 template <class Bits>
@@ -51,8 +53,21 @@ CborItem CborCursor::next() noexcept {
         case nullItem: return {.kind = Kind::null};
         case openMap: return {.kind = Kind::map};
         case closeMap: return {.kind = Kind::close};
+        case tag: return points();
         default: return counted(first);
     }
+}
+
+CborItem CborCursor::points() noexcept {
+    if (rest_.size() < 3 || rest_[0] != pointsTag) return {};
+    const std::size_t width = rest_[1];
+    const std::uint8_t first = rest_[2];
+    rest_ = rest_.subspan(3);
+    CborItem item = counted(first);
+    if (item.kind != Kind::numbers || width < 2 || width > 3 || item.length % width != 0) return {};
+    item.kind = Kind::points;
+    item.width = width;
+    return item;
 }
 
 CborItem CborCursor::counted(std::uint8_t first) noexcept {
@@ -77,6 +92,12 @@ CborItem CborCursor::counted(std::uint8_t first) noexcept {
 namespace {
 
 bool readItem(CborCursor& cursor, const CborItem& item, Json& out, int depth);
+
+Json numbersFrom(const CborItem& item, std::size_t first, std::size_t count) {
+    Json::array_t numbers(count);
+    for (std::size_t i = 0; i < count; ++i) numbers[i] = item.numberAt(first + i);
+    return numbers;
+}
 
 bool readList(CborCursor& cursor, std::size_t length, Json& out, int depth) {
     Json::array_t items(length);
@@ -110,10 +131,13 @@ bool readItem(CborCursor& cursor, const CborItem& item, Json& out, int depth) {
         case Kind::null: out = nullptr; return true;
         case Kind::list: return readList(cursor, item.length, out, depth);
         case Kind::map: return readMap(cursor, out, depth);
-        case Kind::numbers: {
-            Json::array_t items(item.length);
-            for (std::size_t i = 0; i < items.size(); ++i) items[i] = item.numberAt(i);
-            out = std::move(items);
+        case Kind::numbers: out = numbersFrom(item, 0, item.length); return true;
+        case Kind::points: {
+            Json::array_t points(item.length / item.width);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                points[i] = numbersFrom(item, i * item.width, item.width);
+            }
+            out = std::move(points);
             return true;
         }
         case Kind::close:

@@ -12,12 +12,13 @@
 namespace knotwork::bindings {
 
 struct CborItem {
-    enum class Kind { number, text, numbers, list, map, close, flag, null, bad };
+    enum class Kind { number, text, numbers, points, list, map, close, flag, null, bad };
 
     Kind kind = Kind::bad;
     double number = 0;       ///< of a number; 1 for true
     std::size_t length = 0;  ///< how many items of a list follow, or numbers a byte string holds
-    std::span<const std::uint8_t> bytes{};  ///< of a text or of numbers
+    std::size_t width = 1;   ///< of points: how many of the numbers make one
+    std::span<const std::uint8_t> bytes{};  ///< of a text, of numbers or of points
 
     [[nodiscard]] std::string_view text() const noexcept {
         return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -39,6 +40,7 @@ public:
 
 private:
     CborItem counted(std::uint8_t first) noexcept;
+    CborItem points() noexcept;
 
     std::span<const std::uint8_t> rest_;
 };

@@ -27,7 +27,7 @@ Session::Address addressOf(const T* data) noexcept {
 std::string Session::error() const { return errorJson(error_); }
 
 Session::Address Session::room(unsigned bytes) {
-    room_.resize(bytes);
+    if (bytes > room_.size()) room_.resize(bytes);
     return addressOf(room_.data());
 }
 

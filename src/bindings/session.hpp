@@ -40,7 +40,7 @@ public:
     // The border.
     /// Why the last refused call was refused: { code, path, message }.
     [[nodiscard]] std::string error() const;
-    /// Where to write the `bytes` bytes of input of the next call.
+    /// Where to write up to `bytes` bytes of input of the next call; good until more are asked for.
     [[nodiscard]] Address room(unsigned bytes);
     /// Where the numbers of a small result stand; 3 · 1024 of them.
     [[nodiscard]] Address block() const;

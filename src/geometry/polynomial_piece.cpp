@@ -24,17 +24,19 @@ void gatherActive(const BsplineCurve& curve, std::size_t span, std::size_t compo
 }
 
 // Power form about mid-span: c_k = C^(k)(m) h^k / k!, half width h. Both the functions N_{i,d-k}(m)
-// and the differences of the points need 1 / (t_{i+k} - t_i), kept in `inverse`.
+// and the differences of the points need 1 / (t_{i+k} - t_i), kept in `inverse`. Fixed is the degree
+// where the compiler knows it, else 0: cubics are what is made anew for every picture.
+template <std::size_t Fixed>
 class TaylorPiece {
 public:
     TaylorPiece(std::span<const double> knots, std::size_t degree, std::size_t span) noexcept
-        : degree_(degree) {
+        : degree_(Fixed > 0 ? Fixed : degree) {
         const double start = knots[span];
         const double end = knots[span + 1];
         const double centre = start + (end - start) / 2;
         halfWidth_ = (end - start) / 2;
         basis_[0] = 1;
-        for (std::size_t k = 1; k <= degree; ++k) {
+        for (std::size_t k = 1; k <= this->degree(); ++k) {
             double carried = 0;
             for (std::size_t j = 0; j < k; ++j) {
                 const std::size_t i = span + 1 + j - k;
@@ -50,9 +52,9 @@ public:
 
     template <std::size_t Components>
     void coefficients(Coefficients& active, double* to) const noexcept {
-        combine<Components>(active, degree_, to);
-        for (std::size_t k = 1; k <= degree_; ++k) {
-            const std::size_t lower = degree_ - k;
+        combine<Components>(active, degree(), to);
+        for (std::size_t k = 1; k <= degree(); ++k) {
+            const std::size_t lower = degree() - k;
             const double factor =
                 halfWidth_ * static_cast<double>(lower + 1) / static_cast<double>(k);
             for (std::size_t j = 0; j <= lower; ++j) {
@@ -67,11 +69,14 @@ public:
     }
 
 private:
+    [[nodiscard]] std::size_t degree() const noexcept { return Fixed > 0 ? Fixed : degree_; }
+
     // Row k of a triangle has k+1 entries.
     static constexpr std::size_t at(std::size_t k, std::size_t j) noexcept {
         return k * (k + 1) / 2 + j;
     }
-    static constexpr std::size_t triangleSize = (maxPowerDegree + 1) * (maxPowerDegree + 2) / 2;
+    static constexpr std::size_t highest = Fixed > 0 ? Fixed : maxPowerDegree;
+    static constexpr std::size_t triangleSize = (highest + 1) * (highest + 2) / 2;
 
     template <std::size_t Components>
     void combine(const Coefficients& points, std::size_t k, double* to) const noexcept {
@@ -90,6 +95,15 @@ private:
     std::array<double, triangleSize> inverse_;
 };
 
+template <std::size_t Fixed>
+void taylorCoefficients(const BsplineCurve& curve, std::size_t span, std::size_t components,
+                        Coefficients& active, double* to) noexcept {
+    const auto degree = static_cast<std::size_t>(curve.degree());
+    const TaylorPiece<Fixed> piece(curve.knotVector().extended(), degree, span);
+    if (components == 2) return piece.template coefficients<2>(active, to);
+    piece.template coefficients<3>(active, to);
+}
+
 // Point `to` becomes (1-w) point `from` + w point `from+1`.
 void blendPair(Coefficients& points, std::size_t components, std::size_t from, std::size_t to,
                double w) noexcept {
@@ -105,10 +119,8 @@ void powerCoefficients(const BsplineCurve& curve, std::size_t span, std::size_t 
                        Coefficients& c) noexcept {
     Coefficients active;
     gatherActive(curve, span, components, active);
-    const auto degree = static_cast<std::size_t>(curve.degree());
-    const TaylorPiece piece(curve.knotVector().extended(), degree, span);
-    if (components == 2) return piece.coefficients<2>(active, c.data());
-    piece.coefficients<3>(active, c.data());
+    if (curve.degree() == 3) return taylorCoefficients<3>(curve, span, components, active, c.data());
+    taylorCoefficients<0>(curve, span, components, active, c.data());
 }
 
 // b_k is the blossom of d-k times the start a of the span and k times its end b. The triangle at a

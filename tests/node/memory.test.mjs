@@ -118,7 +118,7 @@ test('the second identical call takes no more memory than the first', () => {
 test('a module that ran out of memory says so ever after, and the next is fresh', async () => {
     const one = await load();
     const value = one.bFunction({ family: 'linear' });
-    one.session.room = () => { throw new WebAssembly.RuntimeError('unreachable'); };
+    one.session.bFunction = () => { throw new WebAssembly.RuntimeError('unreachable'); };
     refuses(() => one.bFunction({ family: 'linear' }), 'OUT_OF_MEMORY', '');
     refuses(() => value.value(0.5), 'OUT_OF_MEMORY', '');
     value.dispose();
