@@ -95,12 +95,29 @@ export class Curve extends Held {
         return { points: both.slice(0, 3 * count), parameters: both.slice(3 * count) };
     }
 
+    /** The length from a to b, by default of all of it. @param {number} [a] @param {number} [b] */
+    length(a, b) {
+        const { core, handle } = Held.of(this);
+        core.ask('curveLength', handle, finiteIfGiven(a, 'a'), finiteIfGiven(b, 'b'));
+        return core.number(0);
+    }
+
+    /** Where the length from the start is s. @param {number} s */
+    parameterAtLength(s) {
+        const { core, handle } = Held.of(this);
+        core.ask('curveParameterAtLength', handle, finite(s, 's'));
+        return core.number(0);
+    }
+
     /** What it was made from, defaults filled in. */
     get spec() {
         const { core, handle } = Held.of(this);
         return core.json('curveSpec', handle);
     }
 }
+
+/** NaN stands for what is not given. @param {unknown} value @param {string} name */
+const finiteIfGiven = (value, name) => (value === undefined ? NaN : finite(value, name));
 
 /** @param {unknown} side */
 function sideNumber(side) {

@@ -219,6 +219,13 @@ export interface Curve extends Disposable {
     sampleAt(ts: Numbers, options?: IntoOption & { derivatives?: number }): Float64Array;
     /** A polyline that is nowhere further from the curve than the tolerance (default 0.001). */
     polyline(options?: { tolerance?: number }): { points: Float64Array; parameters: Float64Array };
+    /**
+     * The length from a to b, by default from end to end. A closed curve is followed from a in its
+     * direction, through the seam where b lies before a; of any other, a must not lie after b.
+     */
+    length(a?: number, b?: number): number;
+    /** The parameter at which the length from the start is s: the inverse of length(). */
+    parameterAtLength(s: number): number;
     /** What it was made from, defaults filled in. */
     readonly spec: CurveSpec;
 }

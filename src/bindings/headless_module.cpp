@@ -44,6 +44,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("curveAt", &Session::curveAt)
         .function("curvePolyline", &Session::curvePolyline)
         .function("parametricCurves", &Session::parametricCurves)
+        .function("curveLength", &Session::curveLength)
+        .function("curveParameterAtLength", &Session::curveParameterAtLength)
         .function("curveKnots", &Session::curveKnots)
         .function("curveGrevilles", &Session::curveGrevilles)
         .function("curveInsertKnot", &Session::curveInsertKnot)

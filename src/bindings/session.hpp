@@ -10,6 +10,7 @@
 
 #include "bindings/queries.hpp"
 #include "drawing/drawing.hpp"
+#include "geometry/arc_length.hpp"
 #include "geometry/b_function.hpp"
 #include "geometry/curve.hpp"
 #include "scene/scene.hpp"
@@ -92,6 +93,12 @@ public:
     [[nodiscard]] int curvePolyline(int handle, double tolerance);
     [[nodiscard]] std::string parametricCurves() const;
 
+    // What is measured on curves of every kind. NaN stands for an end that is not given.
+    /// block: the length from a to b.
+    [[nodiscard]] bool curveLength(int handle, double a, double b);
+    /// block: the parameter at the length s.
+    [[nodiscard]] bool curveParameterAtLength(int handle, double s);
+
     // B-spline and blending curves; of any other kind NOT_SUPPORTED.
     /// bulk: the knots. Answers their number, or -1.
     [[nodiscard]] int curveKnots(int handle);
@@ -131,6 +138,7 @@ private:
         std::optional<scene::Json> spec;
         std::optional<CurveSampler> sampler;
         std::vector<std::uint8_t> source;  ///< what the specification is to be read from
+        std::optional<ArcLength> lengths{};
     };
     using Value = std::variant<std::monostate, std::unique_ptr<scene::Made<BFunction>>,
                                std::unique_ptr<CurveValue>, std::shared_ptr<scene::Scene>>;
@@ -149,6 +157,7 @@ private:
     /// The value of this type behind the handle; null (and DISPOSED in error()) if there is none.
     template <class T>
     [[nodiscard]] T* find(int handle);
+    [[nodiscard]] const ArcLength* findLengths(int handle);
     [[nodiscard]] const BsplineCurve* findBspline(int handle);
     [[nodiscard]] const BlendingCurve* findBlending(int handle);
     int leave(std::vector<double> numbers, std::size_t count);
