@@ -6,6 +6,8 @@
 // ed. 2008, ch. 13.)
 #pragma once
 
+#include "geometry/interval.hpp"
+
 #include <algorithm>
 #include <array>
 #include <complex>
@@ -54,8 +56,10 @@ public:
     }
 
 private:
+    // The value by itself: GCC cannot see that order_ + 1 is never 0, and warns at every sum.
     void copy(const Jet& other) noexcept {
-        std::copy_n(other.coefficients_.begin(), order_ + 1, coefficients_.begin());
+        coefficients_[0] = other.coefficients_[0];
+        std::copy_n(other.coefficients_.begin() + 1, order_, coefficients_.begin() + 1);
     }
 
     int order_;
@@ -86,11 +90,29 @@ struct SinCos {
 
 [[nodiscard]] Jet sin(const Jet& a) noexcept;
 [[nodiscard]] Jet cos(const Jet& a) noexcept;
+[[nodiscard]] Jet tan(const Jet& a) noexcept;
+[[nodiscard]] Jet atan(const Jet& a) noexcept;
+[[nodiscard]] Jet sinh(const Jet& a) noexcept;
+[[nodiscard]] Jet cosh(const Jet& a) noexcept;
+[[nodiscard]] Jet tanh(const Jet& a) noexcept;
 [[nodiscard]] Jet exp(const Jet& a) noexcept;
 [[nodiscard]] Jet log(const Jet& a) noexcept;
-[[nodiscard]] Jet sqrt(const Jet& a) noexcept;
-/// a^exponent for any real exponent and a value a > 0.
-[[nodiscard]] Jet pow(const Jet& a, double exponent) noexcept;
+
+// At a zero of a (asin, acos: of 1 − a²) these have derivatives from one side only: those of the
+// side from which the variable comes. They are taken from the first term of a that does not vanish:
+// |t| has the slope 1 on the right of 0 and −1 on its left, √t an infinite one, √(t⁴) none up to
+// the second derivative, 2. NaN where a function is not real on that side, and in the last rows
+// where they depend on terms of a beyond its order.
+[[nodiscard]] Jet asin(const Jet& a, Side side = Side::right) noexcept;
+[[nodiscard]] Jet acos(const Jet& a, Side side = Side::right) noexcept;
+[[nodiscard]] Jet sqrt(const Jet& a, Side side = Side::right) noexcept;
+[[nodiscard]] Jet abs(const Jet& a, Side side = Side::right) noexcept;
+/// a^exponent for any real exponent; a value a < 0 needs an integer. 0^0 is 1.
+[[nodiscard]] Jet pow(const Jet& a, double exponent, Side side = Side::right) noexcept;
+/// The same for an exponent that varies, where a value a < 0 has no derivatives.
+[[nodiscard]] Jet pow(const Jet& a, const Jet& exponent, Side side = Side::right) noexcept;
+/// base^a.
+[[nodiscard]] Jet pow(double base, const Jet& a) noexcept;
 
 /// outer ∘ inner, where outer holds the Taylor coefficients at inner.value() (Horner, O(n³)).
 [[nodiscard]] Jet compose(const Jet& outer, const Jet& inner) noexcept;
