@@ -18,11 +18,17 @@ if(NOT sources)
 endif()
 
 find_package(GTest REQUIRED)
+find_library(rapidcheck_library rapidcheck REQUIRED)
+find_path(rapidcheck_headers rapidcheck.h REQUIRED)
 enable_testing()
 add_executable(knotwork_tests ${sources})
 target_include_directories(knotwork_tests PRIVATE "${PROJECT_SOURCE_DIR}/tests/cpp")
 target_compile_definitions(knotwork_tests PRIVATE
     KNOTWORK_SOURCE_DIR="${PROJECT_SOURCE_DIR}" $<$<BOOL:${KNOTWORK_SANITIZE}>:KNOTWORK_SANITIZED>)
+target_include_directories(knotwork_tests SYSTEM PRIVATE "${rapidcheck_headers}")
 target_link_libraries(knotwork_tests PRIVATE
-    knotwork_session knotwork_app knotwork_our_code GTest::gtest_main)
+    knotwork_session knotwork_app knotwork_our_code GTest::gtest_main ${rapidcheck_library})
+# A property that fails throws: rapidcheck is made so. What they test is compiled without exceptions.
+file(GLOB properties CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/cpp/properties/*.cpp")
+set_source_files_properties(${properties} PROPERTIES COMPILE_OPTIONS "-fexceptions;-frtti")
 add_test(NAME knotwork_tests COMMAND knotwork_tests)

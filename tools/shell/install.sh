@@ -47,6 +47,7 @@ LIST
 g++|command -v g++|g++ in PATH
 clang|command -v clang++|clang++ in PATH
 libgtest-dev|have_header gtest/gtest.h|GoogleTest's gtest/gtest.h in /usr/include or /usr/local/include
+librapidcheck-dev|have_header rapidcheck.h|rapidcheck.h in /usr/include or /usr/local/include
 LIST
     browser) cat <<'LIST' ;;
 chromium|have_chromium|chromium in PATH, or its file named in KNOTWORK_CHROMIUM

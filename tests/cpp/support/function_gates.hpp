@@ -13,6 +13,9 @@ inline constexpr double erbTail = 2e-11;
 // Cauchy's integral, which itself loses digits with the order.
 inline constexpr double complexStepSlope = 1e-12;
 inline constexpr double cauchy = 1e-10;
+// Differences against integrals of the derivatives over a twentieth, relative to the integral of the
+// derivative's size: 16 Gauss nodes see that much of a gentle B-function.
+inline constexpr double integrals = 1e-9;
 // Points of model curves relative to their size, parameters up to 12π.
 inline constexpr double curvePoint = 1e-14;
 
