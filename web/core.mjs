@@ -25,6 +25,7 @@ export class Core {
     #encoder = new Encoder();
     #blockStart;
     #parametersStart;
+    #integersStart;
     #roomStart = 0;
     #roomSize = 0;
     #ended = false;
@@ -37,6 +38,7 @@ export class Core {
         this.session = new module.Session();
         this.#blockStart = this.session.block() / 8;
         this.#parametersStart = this.session.parameters() / 8;
+        this.#integersStart = this.session.integers();
         if (typeof FinalizationRegistry === 'function') {
             this.#registry = new FinalizationRegistry((handle) => this.release(handle));
         }
@@ -135,6 +137,14 @@ export class Core {
     block(from, count) {
         const start = this.#blockStart + from;
         return this.#module.HEAPF64.subarray(start, start + count);
+    }
+
+    /**
+     * The first integers of the last call, likewise.
+     * @param {number} count
+     */
+    integers(count) {
+        return new Int32Array(this.#module.HEAPU8.buffer, this.#integersStart, count);
     }
 
     /** @param {Float64Array} parameters at most 1024 */

@@ -4,7 +4,7 @@ import {
     choice, derivativeOrder, finite, integer, numbers, options, sampleCount, target,
 } from './check.mjs';
 import { Held } from './held.mjs';
-import { fill, fillAt } from './samples.mjs';
+import { basisTarget, fill, fillAt, fillBasis } from './samples.mjs';
 
 /** @typedef {import('./core.mjs').Core} Core */
 /** @typedef {'left' | 'right'} Side */
@@ -159,6 +159,22 @@ export class BsplineCurve extends Curve {
         const count = core.count('curveBasis', handle, finite(t, 't'), order);
         const rows = core.bulk(count * (order + 1));
         return Array.from({ length: order + 1 }, (_, k) => Array.from(rows.subarray(k * count, (k + 1) * count)));
+    }
+
+    /**
+     * The degree + 1 basis functions that are not zero at each parameter, and for each parameter the
+     * index of the first of them.
+     * @param {ArrayLike<number>} ts
+     * @param {{ into?: { values: Float64Array, first: Int32Array } }} [given]
+     */
+    basisAt(ts, given) {
+        const { core, handle } = Held.of(this);
+        const { into } = options(given, ['into']);
+        const parameters = numbers(ts, 'ts');
+        const width = core.ask('curveBasisAt', handle, 0, 0);
+        const answer = basisTarget(into, parameters.length, width);
+        fillBasis(core, handle, parameters, width, answer);
+        return answer;
     }
 }
 

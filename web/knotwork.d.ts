@@ -239,7 +239,18 @@ export interface BsplineCurve extends Curve {
     insertKnot(t: number, times?: number): BsplineCurve;
     /** Row k: the k-th derivative of all n basis functions. */
     basis(t: number, options?: { derivatives?: number }): number[][];
+    /**
+     * The degree + 1 basis functions that are not zero at each parameter, one parameter after the
+     * other, and for each parameter the index of the first of them (those that follow are counted
+     * modulo the number of points where the curve is closed).
+     */
+    basisAt(ts: Numbers, options?: { into?: BasisValues }): BasisValues;
     readonly spec: BsplineCurveSpec;
+}
+
+export interface BasisValues {
+    values: Float64Array;
+    first: Int32Array;
 }
 
 export interface ParametricCurve extends Curve {

@@ -1,7 +1,8 @@
 // Many numbers out of the module: in blocks that stay in the processor's first cache.
 
-import { copyInto } from './check.mjs';
+import { copyInto, isPlain, target } from './check.mjs';
 import { blockPoints } from './core.mjs';
+import { describe, KnotworkError } from './errors.mjs';
 
 /**
  * Fills `answer` with `total` rows of `width` numbers; `compute(first, count)` leaves rows in the block.
@@ -37,5 +38,54 @@ export function fillAt(core, handle, ts, derivatives, answer) {
         for (let k = 0; k <= derivatives; ++k) {
             copyInto(answer, core.block(3 * count * k, 3 * count), 3 * (total * k + first));
         }
+    }
+}
+
+/**
+ * @typedef {{ values: Float64Array, first: Int32Array }} BasisValues
+ */
+
+/**
+ * Where the basis functions at `count` parameters go: an earlier answer, or a new one.
+ * @param {unknown} into
+ * @param {number} count
+ * @param {number} width
+ * @returns {BasisValues}
+ */
+export function basisTarget(into, count, width) {
+    if (into === undefined) {
+        return { values: target(undefined, width * count), first: new Int32Array(count) };
+    }
+    if (typeof into !== 'object' || into === null || !isPlain(into)) {
+        throw new KnotworkError('WRONG_TYPE', 'into', `into must be an earlier answer, not ${describe(into)}.`);
+    }
+    const answer = /** @type {BasisValues} */ (into);
+    const { first } = answer;
+    if (!(first instanceof Int32Array)) {
+        throw new KnotworkError('WRONG_TYPE', 'into.first', `into.first must be an Int32Array, not ${describe(first)}.`);
+    }
+    if (first.length !== count) {
+        throw new KnotworkError('WRONG_LENGTH', 'into.first', `into.first has ${first.length} numbers; the answer has ${count}.`);
+    }
+    target(answer.values ?? null, width * count);
+    return answer;
+}
+
+/**
+ * @param {import('./core.mjs').Core} core
+ * @param {number} handle
+ * @param {Float64Array} ts
+ * @param {number} width
+ * @param {BasisValues} answer
+ */
+export function fillBasis(core, handle, ts, width, { values, first }) {
+    const total = ts.length;
+    const most = Math.min(blockPoints, Math.floor(3 * blockPoints / width));
+    for (let from = 0; from < total; from += most) {
+        const count = Math.min(most, total - from);
+        core.sendParameters(ts.subarray(from, from + count));
+        core.ask('curveBasisAt', handle, from, count);
+        copyInto(values, core.block(0, width * count), width * from);
+        first.set(core.integers(count), from);
     }
 }

@@ -47,6 +47,8 @@ public:
     [[nodiscard]] Address block() const;
     /// Where to write up to 1024 parameters for curveAt().
     [[nodiscard]] Address parameters() const;
+    /// Where the 1024 integers of curveBasisAt() stand.
+    [[nodiscard]] Address integers() const;
     /// Where the numbers of a list stand; dropBulk() gives their memory back.
     [[nodiscard]] Address bulk() const;
     void dropBulk();
@@ -106,6 +108,10 @@ public:
     [[nodiscard]] int curveInsertKnot(int handle, double t, int times);
     /// bulk: derivatives+1 rows of n numbers. Answers n, or -1.
     [[nodiscard]] int curveBasis(int handle, double t, int derivatives);
+    /// block: the d+1 functions that are not zero at each of the first `count` of parameters(),
+    /// count · (d+1) ≤ 3072; at integers(): the point of the first of them. Answers d+1, or 0 and a
+    /// refusal that names `ts[first + i]`.
+    [[nodiscard]] int curveBasisAt(int handle, unsigned first, unsigned count);
     /// bulk: the weights of the n local curves. Answers n, or -1.
     [[nodiscard]] int curveBlendBasis(int handle, double t);
     [[nodiscard]] int curveWithPose(int handle, int local, unsigned bytes);
@@ -161,12 +167,16 @@ private:
     [[nodiscard]] const BsplineCurve* findBspline(int handle);
     [[nodiscard]] const BlendingCurve* findBlending(int handle);
     int leave(std::vector<double> numbers, std::size_t count);
+    /// Moves the first `count` of parameters() into the curve's domain; false, and a refusal that
+    /// names `ts[first + i]`, where one lies outside.
+    bool enterDomain(const Curve& curve, unsigned first, std::size_t count);
     std::string deliver(Result<Answer> answer);
 
     Error error_;
     std::vector<std::uint8_t> room_;
     std::array<double, 3 * blockPoints> block_{};
     std::array<double, blockPoints> parameters_{};
+    std::array<std::int32_t, blockPoints> integers_{};
     std::vector<double> bulk_;
     drawing::Drawing drawing_;
     std::vector<Slot> slots_;

@@ -1,8 +1,11 @@
 // The part of the session that only B-spline curves answer.
 #include "bindings/marshal.hpp"
 #include "bindings/session.hpp"
+#include "geometry/basis_sampler.hpp"
 #include "geometry/bspline_basis.hpp"
 #include "geometry/refinement.hpp"
+
+#include <algorithm>
 
 namespace knotwork::bindings {
 
@@ -58,6 +61,17 @@ int Session::curveBasis(int handle, double t, int derivatives) {
     std::vector<double> rows(count * rowsOf(derivatives));
     basisRows(spline->knotVector(), *inside, Side::right, derivatives, rows);
     return leave(std::move(rows), count);
+}
+
+int Session::curveBasisAt(int handle, unsigned first, unsigned count) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return 0;
+    const std::size_t width = rowsOf(spline->degree());
+    const std::size_t rows = std::min<std::size_t>({count, block_.size() / width, blockPoints});
+    if (!enterDomain(find<CurveValue>(handle)->curve, first, rows)) return 0;
+    activeBasis(spline->knotVector(), {parameters_.data(), rows}, {block_.data(), rows * width},
+                {integers_.data(), rows});
+    return static_cast<int>(width);
 }
 
 }  // namespace knotwork::bindings

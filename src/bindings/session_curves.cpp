@@ -96,6 +96,21 @@ bool Session::curveSample(int handle, unsigned first, unsigned count, unsigned t
     return true;
 }
 
+bool Session::enterDomain(const Curve& curve, unsigned first, std::size_t count) {
+    const Interval whole = domain(curve);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (whole.contains(parameters_[i])) continue;
+        const auto inside = parameterInDomain(curve, parameters_[i]);
+        if (!inside) {
+            Error error = inside.error();
+            error.path = indexed("ts", first + i);
+            return refuse(std::move(error));
+        }
+        parameters_[i] = *inside;
+    }
+    return true;
+}
+
 bool Session::curveAt(int handle, unsigned first, unsigned count, int derivatives) {
     auto* held = find<CurveValue>(handle);
     if (!held) return false;
@@ -104,17 +119,7 @@ bool Session::curveAt(int handle, unsigned first, unsigned count, int derivative
     }
     const std::size_t points =
         std::min<std::size_t>(count, blockPoints / rowsOf(derivatives));
-    const Interval whole = domain(held->curve);
-    for (std::size_t i = 0; i < points; ++i) {
-        if (whole.contains(parameters_[i])) continue;
-        const auto inside = parameterInDomain(held->curve, parameters_[i]);
-        if (!inside) {
-            Error error = inside.error();
-            error.path = indexed("ts", first + i);
-            return refuse(std::move(error));
-        }
-        parameters_[i] = *inside;
-    }
+    if (!enterDomain(held->curve, first, points)) return false;
     if (!held->sampler) held->sampler.emplace(held->curve);
     held->sampler->at({parameters_.data(), points}, derivatives,
                       {block_.data(), 3 * points * rowsOf(derivatives)});

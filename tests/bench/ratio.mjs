@@ -3,20 +3,26 @@
 
 const rounds = 9;
 const tries = 3;
+const warmth = 200;  // milliseconds
 
 /** @typedef {() => number} Clock milliseconds */
+/**
+ * What is measured: work in this process, or in another one that says how long it took.
+ * @typedef {{ act: () => unknown } | { time: () => Promise<number> }} Timed
+ */
 
-/** @param {() => void} act @param {Clock} clock @returns {number} milliseconds */
-function timeOnce(act, clock) {
+/** @param {Timed} work @param {Clock} clock @returns {Promise<number>} milliseconds */
+async function timeOnce(work, clock) {
+    if ('time' in work) return work.time();
     const start = clock();
-    act();
+    work.act();
     return clock() - start;
 }
 
-/** @param {() => void} act @param {Clock} clock */
-function bestOf(act, clock) {
+/** @param {Timed} work @param {Clock} clock */
+async function bestOf(work, clock) {
     let best = Infinity;
-    for (let i = 0; i < tries; ++i) best = Math.min(best, timeOnce(act, clock));
+    for (let i = 0; i < tries; ++i) best = Math.min(best, await timeOnce(work, clock));
     return best;
 }
 
@@ -28,23 +34,33 @@ export function median(values) {
 }
 
 /**
- * Nine alternations of the best of three calls of `ours` and one call of `theirs`, after one call
- * of each that nobody measures (compilation, first memory).
- * @param {() => void} ours
- * @param {() => void} theirs
- * @param {Clock} [clock]
- * @returns {{ ratio: number, ours: number, theirs: number }} milliseconds are medians
+ * As often as it takes for engines to have compiled what is called often, once at least.
+ * @param {Timed} work
+ * @param {Clock} clock
  */
-export function compare(ours, theirs, clock = () => performance.now()) {
-    ours();
-    theirs();
+async function warmUp(work, clock) {
+    const start = clock();
+    do await timeOnce(work, clock); while (clock() - start < warmth);
+}
+
+/**
+ * Nine alternations of the best of three calls of `ours` and one call of `theirs`, after calls of
+ * each that nobody measures (compilation, first memory).
+ * @param {Timed} ours
+ * @param {Timed} theirs
+ * @param {Clock} [clock]
+ * @returns {Promise<{ ratio: number, ours: number, theirs: number }>} milliseconds are medians
+ */
+export async function compare(ours, theirs, clock = () => performance.now()) {
+    await warmUp(ours, clock);
+    await warmUp(theirs, clock);
     /** @type {number[]} */
     const oursTimes = [];
     /** @type {number[]} */
     const theirTimes = [];
     for (let i = 0; i < rounds; ++i) {
-        oursTimes.push(bestOf(ours, clock));
-        theirTimes.push(timeOnce(theirs, clock));
+        oursTimes.push(await bestOf(ours, clock));
+        theirTimes.push(await timeOnce(theirs, clock));
     }
     const result = { ours: median(oursTimes), theirs: median(theirTimes) };
     return { ...result, ratio: result.theirs / result.ours };

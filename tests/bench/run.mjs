@@ -1,52 +1,72 @@
-// What ./dev bench runs: ratios against the npm peers through the public interface, building and
-// copying out included. Exits with 1 where a limit is missed or a result differs.
+// What ./dev bench runs: ratios against peers through the public interface, building and copying out
+// included. Exits with 1 where a limit is missed or a result differs.
 //   node tests/bench/run.mjs [part of a case's name]
 import process from 'node:process';
 
-import { cases } from './cases.mjs';
-import { peers } from './peers.mjs';
+import { blendingCases } from './cases/blending.mjs';
+import { curveCases } from './cases/curves.mjs';
+import { fittingCases } from './cases/fitting.mjs';
+import { nativeCases } from './cases/native.mjs';
+import { refinementCases } from './cases/refinement.mjs';
+import { subdivisionCases } from './cases/subdivision.mjs';
 import { compare, largestDifference } from './ratio.mjs';
 
-/** @typedef {import('./cases.mjs').Case} Case */
-/** @typedef {{ peer: string, npm: boolean, ours: number, theirs: number, ratio: number }} Row */
+/** @typedef {import('./cases/case.mjs').Case} Case */
+/** @typedef {import('./cases/case.mjs').Peer} Peer */
+/** @typedef {import('./cases/case.mjs').Work} Work */
+/** @typedef {{ peer: Peer, ours: number, theirs: number, ratio: number }} Row */
 
-/** @param {Case} given @param {import('./peers.mjs').Peer} peer @returns {Row} */
-function measure(given, peer) {
-    const ours = given.ours(kw);
-    const theirs = given.theirs(peer);
-    const difference = largestDifference(ours.act(), theirs.act());
-    if (!(difference <= given.tolerance)) {
+const cases = [
+    ...curveCases, ...refinementCases, ...fittingCases, ...subdivisionCases, ...blendingCases, ...nativeCases,
+];
+
+/**
+ * The row of one peer, or why there is none.
+ * @param {Case} given
+ * @param {Work} ours
+ * @param {Peer} peer
+ * @returns {Promise<Row | string>}
+ */
+async function measure(given, ours, peer) {
+    const theirs = await peer.work(kw);
+    if (typeof theirs === 'string') return theirs;
+    const difference = largestDifference(await ours.act(), await theirs.act());
+    if (!(difference <= peer.tolerance)) {
         throw new Error(`${given.name}: ${peer.name} and we differ by ${difference}`);
     }
-    const times = compare(ours.act, theirs.act);
-    ours.dispose();
-    const perPoint = 1e6 / given.points;  // milliseconds to nanoseconds a point
-    return {
-        peer: peer.name,
-        npm: peer.npm,
-        ours: times.ours * perPoint,
-        theirs: times.theirs * perPoint,
-        ratio: times.ratio,
-    };
+    const times = await compare(ours, theirs);
+    theirs.dispose();
+    const perUnit = 1e6 / given.amount;  // milliseconds to nanoseconds
+    return { peer, ours: times.ours * perUnit, theirs: times.theirs * perUnit, ratio: times.ratio };
 }
 
-/** @param {Case} given @param {Row[]} rows */
-function report(given, rows) {
-    console.log(`\n${given.name} (ns a point)`);
-    console.log('                       theirs     ours   times faster');
-    for (const { peer, theirs, ours, ratio } of rows) {
-        const numbers = [theirs.toFixed(1).padStart(8), ours.toFixed(2).padStart(8)].join(' ');
-        console.log(`  ${peer.padEnd(18)} ${numbers}   ${ratio.toFixed(1).padStart(8)}`);
+/** @param {Row} row */
+function verdict({ peer, ratio }) {
+    if (peer.atMost !== undefined) return `at most ${peer.atMost}: ${1 / ratio <= peer.atMost ? 'kept' : 'MISSED'}`;
+    if (peer.atLeast === undefined) return '';
+    return `at least ${peer.atLeast}: ${ratio >= peer.atLeast ? 'kept' : 'MISSED'}`;
+}
+
+/** @param {Row} row */
+function report(row) {
+    const { peer, theirs, ours, ratio } = row;
+    const numbers = [theirs.toFixed(1).padStart(9), ours.toFixed(2).padStart(9), ratio.toFixed(1).padStart(9)];
+    console.log(`  ${peer.name.padEnd(28)} ${numbers.join(' ')}   ${verdict(row)}`);
+    return !verdict(row).endsWith('MISSED');
+}
+
+/** @param {Case} given @returns {Promise<boolean>} whether its limits are kept */
+async function run(given) {
+    console.log(`\n${given.name} (ns a ${given.unit})`);
+    console.log('                                  theirs      ours     times');
+    const ours = await given.ours(kw);
+    let kept = true;
+    for (const peer of given.peers) {
+        const row = await measure(given, ours, peer);
+        if (typeof row === 'string') console.log(`  ${peer.name.padEnd(28)} not measured: ${row}`);
+        else kept = report(row) && kept;
     }
-}
-
-/** The limit is against whichever npm peer is the fastest. @param {Case} given @param {Row[]} rows */
-function keepsLimit(given, rows) {
-    if (given.limit === undefined) return true;
-    const least = Math.min(...rows.filter((row) => row.npm).map((row) => row.ratio));
-    const kept = least >= given.limit;
-    const verdict = kept ? 'kept' : 'MISSED';
-    console.log(`  at least ${given.limit} times the best npm peer: ${least.toFixed(1)}, ${verdict}`);
+    ours.dispose();
     return kept;
 }
 
@@ -59,9 +79,5 @@ const { load } = await import(new URL('knotwork.mjs', distribution).href);
 const wanted = process.argv[2] ?? '';
 const kw = await load();
 let allKept = true;
-for (const given of cases.filter(({ name }) => name.includes(wanted))) {
-    const rows = peers.map((peer) => measure(given, peer));
-    report(given, rows);
-    allKept = keepsLimit(given, rows) && allKept;
-}
+for (const given of cases.filter(({ name }) => name.includes(wanted))) allKept = await run(given) && allKept;
 process.exitCode = allKept ? 0 : 1;

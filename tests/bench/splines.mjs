@@ -35,3 +35,10 @@ export function clampedSpline(degree, count, seed) {
     for (let i = 0; i <= degree; ++i) knots.push(end);
     return { degree, knots, points: randomPoints(count, random) };
 }
+
+/** `count` parameters over the domain, both ends included. @param {Spline} spline @param {number} count */
+export function uniformParameters({ degree, knots }, count) {
+    const start = knots[degree];
+    const length = knots[knots.length - 1 - degree] - start;
+    return Float64Array.from({ length: count }, (_, i) => start + length * i / (count - 1));
+}

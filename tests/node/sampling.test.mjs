@@ -156,3 +156,29 @@ test('tolerances are positive numbers', () => {
     refuses(() => cubic.polyline({ tolerance: '1' }), 'WRONG_TYPE', 'tolerance');
     refuses(() => cubic.polyline({ precision: 1 }), 'UNKNOWN_FIELD', 'precision');
 });
+
+test('active basis functions are the ones of basis() that are not zero, each at its place', () => {
+    for (const form of ['clamped', 'open', 'closed']) {
+        const curve = kw.curve({ type: 'bspline-curve', degree: 3, form, points: random.points(12, 2) });
+        const ts = Array.from({ length: 900 }, () => random.between(...curve.domain)).concat(curve.domain, curve.knots.slice(3, 9));
+        const { values, first } = curve.basisAt(ts);
+        assert.equal(values.length, 4 * ts.length);
+        for (let i = 0; i < ts.length; i += ts.length - i > 20 ? 13 : 1) {
+            const row = new Array(12).fill(0);
+            for (let j = 0; j < 4; ++j) row[(first[i] + j) % 12] = values[4 * i + j];
+            near(row, curve.basis(ts[i])[0], tolerances.partition, `at ${ts[i]}`);
+        }
+    }
+});
+
+test('active basis functions fill an earlier answer, and only one that fits', () => {
+    const curve = kw.curve({ type: 'bspline-curve', degree: 2, points: random.points(6, 2) });
+    const into = curve.basisAt([0, 1]);
+    assert.equal(curve.basisAt([2, 3], { into }), into);
+    near(Array.from(into.values.subarray(0, 3)), curve.basis(2)[0].filter((_, i) => i >= into.first[0] && i < into.first[0] + 3), 1e-15);
+    refuses(() => curve.basisAt([0, 1, 2], { into }), 'WRONG_LENGTH', 'into.first');
+    refuses(() => curve.basisAt([0, 1], { into: { first: into.first } }), 'WRONG_TYPE', 'into');
+    refuses(() => curve.basisAt([0, 1], { into: { values: into.values, first: [0, 0] } }), 'WRONG_TYPE', 'into.first');
+    refuses(() => curve.basisAt([0, 9]), 'OUT_OF_RANGE', 'ts[1]');
+    refuses(() => curve.basisAt([0, 'x']), 'WRONG_TYPE', 'ts[1]');
+});

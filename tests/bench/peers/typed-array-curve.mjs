@@ -1,7 +1,7 @@
 // What a careful programmer writes in JavaScript: typed arrays, no garbage, the span moved along
 // with the parameter, the basis by its triangular table (The NURBS Book, A2.2).
 
-/** @typedef {import('./splines.mjs').Spline} Spline */
+/** @typedef {import('../splines.mjs').Spline} Spline */
 
 /** @param {Spline} spline */
 export function prepare({ degree, knots, points }) {

@@ -1,44 +1,26 @@
-// The npm packages that we are measured against, each in the fastest way that it documents.
-import { createRequire } from 'node:module';
-
+// Who samples B-spline curves, each in the fastest way that it documents.
 import { Vector3, Vector4 } from 'three';
 import { NURBSCurve } from 'three/examples/jsm/curves/NURBSCurve.js';
 
-import { prepare, sample } from './typed-array-loop.mjs';
+import { nurbs, verb } from './packages.mjs';
+import { prepare, sample } from './typed-array-curve.mjs';
 
-/** @typedef {import('./splines.mjs').Spline} Spline */
+/** @typedef {import('../splines.mjs').Spline} Spline */
 
 /**
  * One way to sample: `make` builds a curve; what it returns fills triples uniformly over the domain.
  * @typedef {(count: number, xyz: Float64Array) => void} Sampler
- * @typedef {{ name: string, npm: boolean, make: (spline: Spline) => Sampler }} Peer
+ * @typedef {{ name: string, make: (spline: Spline) => Sampler }} Peer
  */
 
-const require = createRequire(import.meta.url);
-
-/** verb greets on standard output when it is loaded. */
-function quietly(name) {
-    const { log } = console;
-    console.log = () => {};
-    try {
-        return require(name);
-    } finally {
-        console.log = log;
-    }
-}
-
-const nurbs = require('nurbs');
-const verb = quietly('verb-nurbs-web');
-
 /** @param {Spline} spline @returns {[number, number]} */
-function domainOf({ degree, knots }) {
+export function domainOf({ degree, knots }) {
     return [knots[degree], knots[knots.length - 1 - degree]];
 }
 
 /** @type {Peer} */
-const nurbsPackage = {
+export const nurbsPackage = {
     name: 'nurbs',
-    npm: true,
     make(spline) {
         const { evaluate } = nurbs({
             points: spline.points, degree: spline.degree, knots: [spline.knots],
@@ -57,9 +39,8 @@ const nurbsPackage = {
 };
 
 /** @type {Peer} */
-const threePackage = {
+export const threePackage = {
     name: 'three NURBSCurve',
-    npm: true,
     make({ degree, knots, points }) {
         const control = points.map(([x, y, z]) => new Vector4(x, y, z, 1));
         const curve = new NURBSCurve(degree, knots, control);
@@ -76,9 +57,8 @@ const threePackage = {
 };
 
 /** @type {Peer} */
-const verbPackage = {
+export const verbPackage = {
     name: 'verb-nurbs-web',
-    npm: true,
     make(spline) {
         const data = new verb.core.NurbsCurveData(spline.degree, spline.knots, spline.points);
         const [start, end] = domainOf(spline);
@@ -95,9 +75,8 @@ const verbPackage = {
 };
 
 /** @type {Peer} */
-const typedArrayLoop = {
+export const typedArrayLoop = {
     name: 'typed-array loop',
-    npm: false,
     make(spline) {
         const prepared = prepare(spline);
         return (count, xyz) => sample(prepared, count, xyz);

@@ -1,0 +1,2 @@
+/** @type {import('./case.mjs').Case[]} */
+export const blendingCases = [];
