@@ -1,0 +1,119 @@
+// Bad input by the table and at volume: every method and every place of every specification refuses
+// what is not of its kind, and 100 000 refusals leave nothing behind.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import {
+    bFunctions, curves, kindOf, methods, placesOf, refusalOf, scenes, withoutArguments, withValue, wrong, wrongCalls,
+} from './hostile.mjs';
+import { load } from './support.mjs';
+
+const kw = await load();
+const takers = [
+    ...bFunctions.map((spec) => ({ name: `bFunction ${spec.family}`, take: kw.bFunction, spec })),
+    ...curves.map((spec, i) => ({ name: `curve ${i}, ${spec.type}`, take: kw.curve, spec })),
+    ...scenes.map((spec) => ({ name: 'scene', take: kw.scene, spec })),
+];
+
+/** The methods of a value, its prototypes' included. */
+function methodsOf(value) {
+    const names = new Set();
+    for (let at = Object.getPrototypeOf(value); at !== Object.prototype; at = Object.getPrototypeOf(at)) {
+        for (const [name, { value: method }] of Object.entries(Object.getOwnPropertyDescriptors(at))) {
+            if (typeof method === 'function' && name !== 'constructor') names.add(name);
+        }
+    }
+    return [...names];
+}
+
+const samples = {
+    BFunction: kw.bFunction(bFunctions[3]),
+    BsplineCurve: kw.curve(curves[0]),
+    ParametricCurve: kw.curve(curves[4]),
+    BezierCurve: kw.curve(curves[5]),
+    LineCurve: kw.curve(curves[6]),
+    ArcCurve: kw.curve(curves[7]),
+    BlendingCurve: kw.curve(curves[8]),
+    Scene: kw.scene(scenes[0]),
+};
+
+for (const [kind, value] of Object.entries(samples)) {
+    test(`every method of ${kind} refuses arguments of other kinds`, () => {
+        let calls = 0;
+        for (const name of methodsOf(value).filter((one) => !withoutArguments.includes(one))) {
+            const kinds = methods[kind]?.[name] ?? methods.Curve[name];
+            assert.ok(kinds, `the table in hostile.mjs has no row for ${kind}.${name}`);
+            for (const { what, act } of wrongCalls(value, name, kinds)) {
+                assert.ok(refusalOf(act), `${kind}.${what} was taken`);
+                calls += 1;
+            }
+        }
+        assert.ok(calls > 50);
+    });
+}
+
+for (const { name, take, spec } of takers) {
+    test(`every place of ${name} refuses values of other kinds`, () => {
+        const made = take(spec);
+        const canonical = made.spec ?? made.document;
+        assert.deepEqual(take(canonical).spec, made.spec);
+        let refused = 0;
+        for (const { path, value } of placesOf(canonical)) {
+            for (const [k, amiss] of wrong[kindOf(value)].entries()) {
+                if (fits(path, amiss)) continue;
+                const error = refusalOf(() => take(withValue(canonical, path, amiss)));
+                assert.ok(error, `wrong value ${k} for ${kindOf(value)} was taken at ${path.join('.')}`);
+                refused += 1;
+            }
+        }
+        assert.ok(refused > 20);
+    });
+}
+
+/** What is undefined counts as left out, and a scale is three numbers or one. */
+function fits(path, amiss) {
+    return amiss === undefined || (path.at(-1) === 'scale' && Number.isFinite(amiss) && amiss !== 0);
+}
+
+/** Everything above that is refused, as one list of calls. */
+const refused = [
+    ...Object.entries(samples).flatMap(([kind, value]) => methodsOf(value)
+        .filter((name) => !withoutArguments.includes(name))
+        .flatMap((name) => wrongCalls(value, name, methods[kind]?.[name] ?? methods.Curve[name]).map(({ act }) => act))),
+    ...takers.flatMap(({ take, spec }) => placesOf(spec).flatMap(({ path, value }) => wrong[kindOf(value)]
+        .filter((one) => !fits(path, one))
+        .map((amiss) => () => take(withValue(spec, path, amiss))))),
+];
+
+/** Runs `act` for i = 0 … times − 1, and expects handles and memory as they were. */
+function leavesNothing(times, act) {
+    for (let i = 0; i < 2 * refused.length; ++i) act(i);
+    const inUse = () => {
+        refusalOf(() => kw.bFunction({ family: 'no' })); // the reason of the last refusal is kept
+        return [kw.session.held(), kw.session.memoryInUse()];
+    };
+    const before = inUse();
+    for (let i = 0; i < times; ++i) act(i);
+    assert.deepEqual(inUse(), before);
+}
+
+test('100 000 refused calls leave handles and memory as they were', () => {
+    assert.ok(refused.length > 3000);
+    leavesNothing(100_000, (i) => assert.ok(refusalOf(refused[i % refused.length])));
+});
+
+test('100 000 curves and B-functions made and disposed of leave handles and memory as they were', () => {
+    const cheap = takers.filter(({ name }) => !name.includes('scene') && !name.includes('expo-rational'));
+    leavesNothing(100_000, (i) => {
+        const { take, spec } = cheap[i % cheap.length];
+        take(spec).dispose();
+    });
+});
+
+test('the module works on after all that', () => {
+    for (const { take, spec } of takers) {
+        const made = take(spec);
+        if (made.sample) assert.ok(made.sample(9).every(Number.isFinite));
+        made.dispose();
+    }
+});
