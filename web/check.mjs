@@ -121,9 +121,9 @@ function unknownField(key, known) {
 const typedArray = Object.getPrototypeOf(Float64Array.prototype);
 /** @type {(this: unknown) => string | undefined} */
 const tagOf = /** @type {any} */ (Object.getOwnPropertyDescriptor(typedArray, Symbol.toStringTag)).get;
-/** @type {(this: Float64Array) => number} */
+/** @type {(this: Float64Array | Int32Array) => number} */
 const lengthOf = /** @type {any} */ (Object.getOwnPropertyDescriptor(typedArray, 'length')).get;
-/** @type {(this: Float64Array, numbers: Float64Array, offset: number) => void} */
+/** @type {(this: Float64Array | Int32Array, numbers: ArrayLike<number>, offset: number) => void} */
 const setOf = typedArray.set;
 
 /**
@@ -132,10 +132,25 @@ const setOf = typedArray.set;
  */
 export const isFloat64Array = (value) => tagOf.call(value) === 'Float64Array';
 
-/** @param {Float64Array} numbers */
+/**
+ * @param {unknown} value
+ * @returns {value is Int32Array}
+ */
+export const isInt32Array = (value) => tagOf.call(value) === 'Int32Array';
+
+/** @param {Float64Array | Int32Array} numbers */
 export const lengthOfNumbers = (numbers) => lengthOf.call(numbers);
 
-/** @param {Float64Array} target @param {Float64Array} numbers @param {number} offset */
+/** @type {(this: Float64Array) => ArrayBuffer} */
+const bufferOf = /** @type {any} */ (Object.getOwnPropertyDescriptor(typedArray, 'buffer')).get;
+/** @type {(this: Float64Array) => number} */
+const offsetOf = /** @type {any} */ (Object.getOwnPropertyDescriptor(typedArray, 'byteOffset')).get;
+
+/** Some of the numbers, as a view. @param {Float64Array} numbers @param {number} from @param {number} count */
+export const partOf = (numbers, from, count) =>
+    new Float64Array(bufferOf.call(numbers), offsetOf.call(numbers) + 8 * from, count);
+
+/** @param {Float64Array | Int32Array} target @param {ArrayLike<number>} numbers @param {number} offset */
 export const copyInto = (target, numbers, offset) => setOf.call(target, numbers, offset);
 
 /**

@@ -1,7 +1,7 @@
 // Curves as values: what every kind answers, and what B-spline and blending curves answer besides.
 
 import {
-    choice, derivativeOrder, finite, integer, numbers, options, sampleCount, target,
+    choice, derivativeOrder, finite, integer, lengthOfNumbers, numbers, options, sampleCount, target,
 } from './check.mjs';
 import { Held } from './held.mjs';
 import { basisTarget, fill, fillAt, fillBasis } from './samples.mjs';
@@ -80,7 +80,7 @@ export class Curve extends Held {
         const { derivatives = 0, into } = options(given, ['derivatives', 'into']);
         const parameters = numbers(ts, 'ts');
         const order = derivativeOrder(derivatives, 'derivatives');
-        const answer = target(into, 3 * parameters.length * (order + 1));
+        const answer = target(into, 3 * lengthOfNumbers(parameters) * (order + 1));
         fillAt(core, handle, parameters, order, answer);
         return answer;
     }
@@ -172,9 +172,9 @@ export class BsplineCurve extends Curve {
         const { into } = options(given, ['into']);
         const parameters = numbers(ts, 'ts');
         const width = core.ask('curveBasisAt', handle, 0, 0);
-        const answer = basisTarget(into, parameters.length, width);
-        fillBasis(core, handle, parameters, width, answer);
-        return answer;
+        const lists = basisTarget(into, lengthOfNumbers(parameters), width);
+        fillBasis(core, handle, parameters, width, lists);
+        return /** @type {typeof lists} */ (into ?? lists);
     }
 }
 

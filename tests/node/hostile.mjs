@@ -85,7 +85,9 @@ export const methods = {
         polyline: [{ tolerance: 'number' }],
         length: ['number?', 'number?'], parameterAtLength: ['number'],
     },
-    BsplineCurve: { insertKnot: ['number', 'integer?'], basis: ['number', { derivatives: 'integer' }] },
+    BsplineCurve: {
+        insertKnot: ['number', 'integer?'], basis: ['number', { derivatives: 'integer' }], basisAt: ['list', { into: 'object' }],
+    },
     BlendingCurve: { withPose: ['integer', 'object'], blendBasis: ['number'] },
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'],

@@ -75,6 +75,20 @@ function fits(path, amiss) {
     return amiss === undefined || (path.at(-1) === 'scale' && Number.isFinite(amiss) && amiss !== 0);
 }
 
+test('lists of numbers that lie about themselves are the numbers that they hold', () => {
+    class Liar extends Float64Array {
+        static get [Symbol.species]() { throw new RangeError('mine'); }
+        subarray() { throw new RangeError('mine'); }
+        get length() { return 1e9; }
+        set() { throw new RangeError('mine'); }
+    }
+    const ts = new Liar([0, 0.5, 1]);
+    assert.deepEqual(samples.BsplineCurve.sampleAt(ts), samples.BsplineCurve.sampleAt([0, 0.5, 1]));
+    assert.deepEqual(samples.BsplineCurve.basisAt(ts), samples.BsplineCurve.basisAt([0, 0.5, 1]));
+    assert.deepEqual(Float64Array.from([...Array(9).keys()], (i) => samples.BsplineCurve.sample(3, { into: new Liar(9) })[i]),
+        samples.BsplineCurve.sample(3));
+});
+
 /** Everything above that is refused, as one list of calls. */
 const refused = [
     ...Object.entries(samples).flatMap(([kind, value]) => methodsOf(value)
