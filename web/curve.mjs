@@ -191,6 +191,19 @@ export class BlendingCurve extends Curve {
         return adopt(core, core.ask('curveWithPose', handle, local, core.send(pose)));
     }
 
+    /** Local curve j where it takes part, posed. @param {number} j */
+    local(j) {
+        const { core, handle } = Held.of(this);
+        return adopt(core, core.ask('curveLocal', handle, integer(j, 'j', 0, 2 ** 31 - 1)));
+    }
+
+    /** The same local curves at other knots. @param {ArrayLike<number>} knots @param {{ recut?: boolean }} [given] */
+    withKnots(knots, given) {
+        const { core, handle } = Held.of(this);
+        const { recut = true } = options(given, ['recut']);
+        return adopt(core, core.ask('curveWithKnots', handle, core.send({ knots, recut })));
+    }
+
     /** The weights with which the local curves are blended at t. @param {number} t */
     blendBasis(t) {
         const { core, handle } = Held.of(this);

@@ -155,15 +155,23 @@ export interface Pose {
     scale?: number | Point;
 }
 
+/**
+ * What is cut from a model at a knot: the model itself, its tangent, the arc with its curvature, its
+ * Taylor polynomial, or a B-spline next to it in the mean square.
+ */
+export type LocalKind = 'sub-curve' | 'line' | 'arc' | 'bezier' | 'bspline';
+
 export interface BlendingCurveSpec {
     type: 'blending-curve';
     bFunction: BFunctionSpec;
     /** What the local curves are cut from, where they are counted. */
     model?: CurveSpec;
-    locals: { count: number; kind?: 'sub-curve' } | readonly CurveSpec[];
+    locals: { count: number; kind?: LocalKind; degree?: number } | readonly CurveSpec[];
     form?: 'open' | 'closed';
     /** Maps each local curve's own domain onto the interval where it takes part. */
     fit?: 'affine';
+    /** Equal steps of the model's parameter (the default) or of its length, where `knots` are not given. */
+    spacing?: 'parameter' | 'length';
     /** Where each local curve is centred; a closed curve has one more, a period after the first. */
     knots?: Numbers;
     poses?: readonly ({ local: number } & Pose)[];
@@ -261,6 +269,13 @@ export interface BlendingCurve extends Curve {
     readonly knots: number[];
     /** The same curve with local curve j in this pose instead of the one it has. */
     withPose(j: number, pose: Pose): BlendingCurve;
+    /** Local curve j where it takes part, posed. */
+    local(j: number): Curve;
+    /**
+     * The same over other knots, as many as there are. With `recut` (the default) the local curves
+     * are cut anew there and every pose has its new pivot; without it they stay where they are.
+     */
+    withKnots(knots: Numbers, options?: { recut?: boolean }): BlendingCurve;
     /** The weights with which the local curves are blended at t: at most two are not 0, sum 1. */
     blendBasis(t: number): number[];
     readonly spec: BlendingCurveSpec;
@@ -329,8 +344,9 @@ export interface SceneDocument {
 /** Paths as in `objects[0].points[2]`; commands of one gesture are one step of history. */
 export type Command = { gesture?: string } & (
     | { set: string; value: unknown }
-    | { move: string; to: number | Point }
-    | { move: string; by: number | Point }
+    /** Without `recut` a knot of a blending curve moves and its local curves stay where they are. */
+    | { move: string; to: number | Point; recut?: boolean }
+    | { move: string; by: number | Point; recut?: boolean }
     | { insert: string; value: unknown }
     | { remove: string }
     | { add: SceneObject }

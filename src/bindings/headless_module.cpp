@@ -54,6 +54,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("curveBasisAt", &Session::curveBasisAt)
         .function("curveBlendBasis", &Session::curveBlendBasis)
         .function("curveWithPose", &Session::curveWithPose)
+        .function("curveLocal", &Session::curveLocal)
+        .function("curveWithKnots", &Session::curveWithKnots)
         .function("openScene", &Session::openScene)
         .function("sceneDocument", &Session::sceneDocument)
         .function("sceneSchema", &Session::sceneSchema)

@@ -115,6 +115,9 @@ public:
     /// bulk: the weights of the n local curves. Answers n, or -1.
     [[nodiscard]] int curveBlendBasis(int handle, double t);
     [[nodiscard]] int curveWithPose(int handle, int local, unsigned bytes);
+    [[nodiscard]] int curveLocal(int handle, int local);
+    /// The input is { knots, recut }.
+    [[nodiscard]] int curveWithKnots(int handle, unsigned bytes);
 
     // Scenes.
     [[nodiscard]] int openScene(unsigned bytes);
@@ -166,6 +169,8 @@ private:
     [[nodiscard]] const ArcLength* findLengths(int handle);
     [[nodiscard]] const BsplineCurve* findBspline(int handle);
     [[nodiscard]] const BlendingCurve* findBlending(int handle);
+    /// The local curve, or nothing (and OUT_OF_RANGE `j` in error()).
+    [[nodiscard]] std::optional<std::size_t> findLocal(const BlendingCurve& curve, int local);
     int leave(std::vector<double> numbers, std::size_t count);
     /// Moves the first `count` of parameters() into the curve's domain; false, and a refusal that
     /// names `ts[first + i]`, where one lies outside.

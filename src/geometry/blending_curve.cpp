@@ -1,91 +1,23 @@
 #include "geometry/blending_curve.hpp"
 
 #include "geometry/curve.hpp"
+#include "geometry/local_cuts.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace knotwork {
 
 namespace {
 
 constexpr std::size_t maximumLocals = 10'000;
-constexpr double maximumParameter = 1e9;
 constexpr std::size_t maximumRows = 26;  // derivatives up to the 25th
 
 Result<Done> checkCount(std::size_t count) {
     if (count >= 2 && count <= maximumLocals) return Done{};
     return refuse(count > maximumLocals ? Code::tooLarge : Code::outOfRange, "locals.count",
                   std::to_string(count) + " local curves; a blending curve has 2 to 10000.");
-}
-
-Result<Done> checkOneKnot(std::span<const double> knots, std::size_t i) {
-    const std::string path = indexed("knots", i);
-    const double t = knots[i];
-    if (!std::isfinite(t)) {
-        return refuse(Code::notFinite, path, "The knot is " + formatNumber(t) + ", not a number.");
-    }
-    if (std::abs(t) > maximumParameter) {
-        return refuse(Code::outOfRange, path,
-                      "The knot is " + formatNumber(t) + "; knots lie within ±1e9.");
-    }
-    if (i > 0 && t < knots[i - 1]) {
-        return refuse(Code::knotsDecreasing, path,
-                      "The knot " + formatNumber(t) + " comes after " +
-                          formatNumber(knots[i - 1]) + "; knots must not decrease.");
-    }
-    if (i > 1 && t == knots[i - 2]) {
-        return refuse(Code::knotsMultiplicity, path,
-                      "The knot " + formatNumber(t) +
-                          " stands three times; two equal knots make a break, more have no meaning.");
-    }
-    return Done{};
-}
-
-Result<Done> checkGaps(std::span<const double> knots) {
-    const double length = knots.back() - knots.front();
-    const double largest = std::max(std::abs(knots.front()), std::abs(knots.back()));
-    if (!(length >= 1e-6) || length < 1e-9 * largest) {
-        return refuse(Code::outOfRange, "knots",
-                      "The knots span only " + formatNumber(length) +
-                          "; the domain must be at least 1e-6 and 1e-9 of the largest knot.");
-    }
-    const double least =
-        std::max(1e-12 * length, 8 * std::numeric_limits<double>::epsilon() * largest);
-    for (std::size_t i = 1; i < knots.size(); ++i) {
-        const double gap = knots[i] - knots[i - 1];
-        if (gap != 0 && gap < least) {
-            return refuse(Code::outOfRange, indexed("knots", i),
-                          "The knot lies " + formatNumber(gap) +
-                              " after the one before it; make them equal or part them by at least " +
-                              formatNumber(least) + ".");
-        }
-    }
-    return Done{};
-}
-
-Result<Done> checkKnots(std::span<const double> knots, std::size_t count, BlendForm form) {
-    const std::size_t needed = form == BlendForm::closed ? count + 1 : count;
-    if (knots.size() != needed) {
-        return refuse(Code::knotsCount, "knots",
-                      std::to_string(knots.size()) + " knots for " + std::to_string(count) +
-                          " local curves; " +
-                          (form == BlendForm::closed ? "a closed" : "an open") +
-                          " blending curve needs " + std::to_string(needed) + ".");
-    }
-    for (std::size_t i = 0; i < knots.size(); ++i) {
-        if (auto checked = checkOneKnot(knots, i); !checked) return checked;
-    }
-    const bool seamIsDouble = form == BlendForm::closed && knots[0] == knots[1] &&
-                              knots[needed - 1] == knots[needed - 2];
-    if (seamIsDouble) {
-        return refuse(Code::knotsMultiplicity, indexed("knots", needed - 1),
-                      "The seam of a closed curve is one knot: it is doubled at both ends, which "
-                      "makes three equal knots.");
-    }
-    return checkGaps(knots);
 }
 
 Result<Done> checkPoses(std::span<const Pose> poses, std::size_t count) {
@@ -100,29 +32,9 @@ Result<Done> checkPoses(std::span<const Pose> poses, std::size_t count) {
     return Done{};
 }
 
-std::vector<double> uniformKnots(const Interval& over, std::size_t number) {
-    std::vector<double> knots(number);
-    for (std::size_t i = 0; i < number; ++i) knots[i] = uniformParameter(over, i, number);
-    return knots;
-}
-
 const Pose& poseOf(std::span<const Pose> poses, std::size_t j) {
     static constexpr Pose rest{};
     return poses.empty() ? rest : poses[j];
-}
-
-Interval supportOf(std::span<const double> knots, std::size_t j, BlendForm form) noexcept {
-    const std::size_t last = knots.size() - 1;
-    if (form == BlendForm::open) {
-        return {knots[j == 0 ? 0 : j - 1], knots[std::min(j + 1, last)]};
-    }
-    const double period = knots.back() - knots.front();
-    return {j == 0 ? knots[last - 1] - period : knots[j - 1], knots[j + 1]};
-}
-
-/// From where a local curve is seen: the left where nothing of it is to the right of its knot.
-Side seenFrom(std::span<const double> knots, std::size_t j) noexcept {
-    return j + 1 == knots.size() || knots[j + 1] == knots[j] ? Side::left : Side::right;
 }
 
 double binomial(std::size_t n, std::size_t k) noexcept {
@@ -147,6 +59,16 @@ void leibniz(std::span<const double> blend, std::span<const Vec3> first,
     }
 }
 
+/// Adds the breaks of a local curve that is evaluated at t − shift, those inside `over`.
+void addBreaks(const LocalCurve& local, const Interval& over, double shift,
+               std::vector<double>& breaks) {
+    const Interval part{local.sourceParameter(over.start - shift),
+                        local.sourceParameter(over.end - shift)};
+    for (const double knot : breakParameters(local.source(), part)) {
+        breaks.push_back((knot - local.shift()) / local.rate() + shift);
+    }
+}
+
 /// A local curve's point on one side of a knot of its source.
 Vec3 placedPoint(const LocalCurve& local, double t, Side side) noexcept {
     Vec3 point;
@@ -167,27 +89,64 @@ Vec3 blendedPoint(double weight, const LocalCurve& first, const LocalCurve& seco
 BlendingCurve::BlendingCurve(std::shared_ptr<const Curve> model, std::vector<LocalCurve> locals,
                              BlendForm form, BFunction blend, std::vector<double> knots)
     : model_(std::move(model)), form_(form), blend_(std::move(blend)), knots_(std::move(knots)) {
+    setLocals(std::move(locals));
+    findBreaks();
+}
+
+void BlendingCurve::setLocals(std::vector<LocalCurve> locals) {
     const bool planar = std::all_of(locals.begin(), locals.end(),
                                     [](const LocalCurve& local) { return local.planar(); });
     dimension_ = planar ? 2 : 3;
     locals_ = std::make_shared<const std::vector<LocalCurve>>(std::move(locals));
 }
 
+void BlendingCurve::findBreaks() {
+    auto breaks = std::make_shared<std::vector<double>>();
+    std::vector<double> inside;
+    for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+        const Interval over{knots_[i], knots_[i + 1]};
+        breaks->push_back(over.start);
+        if (!(over.length() > 0)) continue;
+        const Span span = spanAt(over.start, Side::right);
+        const LocalCurve& first = (*locals_)[span.first];
+        const LocalCurve& second = (*locals_)[span.second];
+        inside.clear();
+        addBreaks(first, over, 0, inside);
+        if (span.shift != 0 || !first.runsWith(second)) addBreaks(second, over, span.shift, inside);
+        std::sort(inside.begin(), inside.end());
+        for (const double t : inside) {
+            // One break that comes by two ways differs by rounding.
+            const double rounding = 1e-14 * std::max(std::abs(over.start), std::abs(over.end));
+            if (t > breaks->back() + rounding && t < over.end - rounding) breaks->push_back(t);
+        }
+    }
+    breaks->push_back(knots_.back());
+    breaks_ = std::move(breaks);
+}
+
 Result<BlendingCurve> BlendingCurve::fromModel(Curve model, std::size_t count, BlendForm form,
                                                BFunction blend, std::vector<double> knots,
-                                               std::span<const Pose> poses) {
+                                               std::span<const Pose> poses, const LocalCut& cut) {
     if (auto checked = checkCount(count); !checked) return checked.error();
     if (auto checked = checkPoses(poses, count); !checked) return checked.error();
     if (knots.empty()) {
-        knots = uniformKnots(knotwork::domain(model), form == BlendForm::closed ? count + 1 : count);
+        knots = uniformKnots(knotwork::domain(model), blendingKnotCount(count, form));
     }
-    if (auto checked = checkKnots(knots, count, form); !checked) return checked.error();
+    if (auto checked = checkBlendingKnots(knots, count, form); !checked) return checked.error();
     const auto shared = std::make_shared<const Curve>(std::move(model));
+    const LocalCutter cutter(*shared, cut);
     std::vector<LocalCurve> locals;
     locals.reserve(count);
     for (std::size_t j = 0; j < count; ++j) {
-        locals.emplace_back(shared, 1.0, 0.0, knots[j], seenFrom(knots, j), poseOf(poses, j),
-                            supportOf(knots, j, form));
+        const Side side = blendingSide(knots, j);
+        const Interval over = blendingDomain(knots, j, form);
+        std::shared_ptr<const Curve> source = shared;
+        if (cut.kind != LocalKind::subCurve) {
+            auto made = cutter.at(knots[j], side, over);
+            if (!made) return made.error();
+            source = std::make_shared<const Curve>(std::move(*made));
+        }
+        locals.emplace_back(std::move(source), 1.0, 0.0, knots[j], side, poseOf(poses, j), over);
     }
     return BlendingCurve(shared, std::move(locals), form, std::move(blend), std::move(knots));
 }
@@ -201,39 +160,30 @@ Result<BlendingCurve> BlendingCurve::fromLocals(std::vector<Curve> sources, Blen
     }
     if (auto checked = checkPoses(poses, count); !checked) return checked.error();
     if (knots.empty()) {
-        const std::size_t number = form == BlendForm::closed ? count + 1 : count;
+        const std::size_t number = blendingKnotCount(count, form);
         knots = uniformKnots({0, static_cast<double>(number - 1)}, number);
     }
-    if (auto checked = checkKnots(knots, count, form); !checked) return checked.error();
+    if (auto checked = checkBlendingKnots(knots, count, form); !checked) return checked.error();
     std::vector<LocalCurve> locals;
     locals.reserve(count);
     for (std::size_t j = 0; j < count; ++j) {
+        const Interval over = blendingDomain(knots, j, form);
         double rate = 1;
         double shift = 0;
         if (fit) {
             const Interval from = knotwork::domain(sources[j]);
-            const Interval onto = supportOf(knots, j, form);
-            // A support of length zero lies at a doubled end knot, where the local is never seen.
-            rate = onto.length() > 0 ? from.length() / onto.length() : 1;
-            shift = from.start - rate * onto.start;
+            rate = from.length() / over.length();
+            shift = from.start - rate * over.start;
         }
-        locals.emplace_back(std::make_shared<const Curve>(std::move(sources[j])), rate, shift,
-                            knots[j], seenFrom(knots, j), poseOf(poses, j),
-                            supportOf(knots, j, form));
+        // Neighbours that are copies of one curve run on one source.
+        const bool same = j > 0 && &sources[j].kind() == &locals.back().source().kind();
+        auto source = same ? locals.back().sharedSource()
+                           : std::make_shared<const Curve>(sources[j]);
+        locals.emplace_back(std::move(source), rate, shift, knots[j], blendingSide(knots, j),
+                            poseOf(poses, j), over);
     }
     return BlendingCurve(nullptr, std::move(locals), form, std::move(blend), std::move(knots));
 }
-
-/// Where t falls: between local `first`, centred at `start`, and local `second`, which is evaluated
-/// at t − shift (the period for a closed curve's wrapped local, otherwise 0).
-struct BlendingCurve::Span {
-    std::size_t first = 0;
-    std::size_t second = 0;
-    double start = 0;
-    double length = 1;
-    double shift = 0;
-    double t = 0;  // wrapped into the domain
-};
 
 BlendingCurve::Span BlendingCurve::spanAt(double t, Side side) const noexcept {
     const double from = knots_.front();
@@ -295,13 +245,6 @@ void BlendingCurve::evaluate(double t, Side side, std::span<Vec3> rows) const no
     leibniz(blendRows, rows, others, rows);
 }
 
-void BlendingCurve::points(std::span<const double> ts, std::span<Vec3> out) const noexcept {
-    for (std::size_t i = 0; i < ts.size(); ++i) {
-        const Side side = ts[i] == knots_.back() ? Side::left : Side::right;
-        evaluate(ts[i], side, out.subspan(i, 1));
-    }
-}
-
 std::vector<double> BlendingCurve::blendBasis(double t) const {
     const Span span = spanAt(t, t == knots_.back() ? Side::left : Side::right);
     std::vector<double> weights(locals_->size(), 0.0);
@@ -311,17 +254,15 @@ std::vector<double> BlendingCurve::blendBasis(double t) const {
     return weights;
 }
 
-Interval BlendingCurve::support(std::size_t j) const noexcept {
-    return supportOf(knots_, j, form_);
-}
-
 BlendingCurve BlendingCurve::withPoses(std::span<const Pose> poses) const {
     std::vector<LocalCurve> posed;
     posed.reserve(locals_->size());
     for (std::size_t j = 0; j < locals_->size(); ++j) {
         posed.push_back((*locals_)[j].withPose(poses[j]));
     }
-    return BlendingCurve(model_, std::move(posed), form_, blend_, knots_);
+    BlendingCurve moved = *this;
+    moved.setLocals(std::move(posed));
+    return moved;
 }
 
 }  // namespace knotwork

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "geometry/b_function.hpp"
+#include "geometry/blending_knots.hpp"
 #include "geometry/interval.hpp"
 #include "geometry/local_curve.hpp"
 #include "geometry/pose.hpp"
@@ -21,18 +22,25 @@
 
 namespace knotwork {
 
-enum class BlendForm { open, closed };
+/// What is cut from a model: local_cuts.hpp.
+enum class LocalKind { subCurve, line, arc, bezier, bspline };
+
+struct LocalCut {
+    LocalKind kind = LocalKind::subCurve;
+    std::size_t degree = 3;  ///< of Bézier curves and B-splines
+};
 
 class BlendingCurve {
 public:
-    /// Cuts `count` sub-curves from a model: local j is the model itself, centred at knots[j].
-    /// `knots` empty: uniform over the model's domain. `poses` empty, or one for each local.
+    /// Cuts `count` local curves from a model, local j at knots[j]. The model is continued past its
+    /// domain as it continues itself. `knots` empty: uniform over the model's domain. `poses` empty,
+    /// or one for each local.
     /// Refuses fewer than 2 locals (OUT_OF_RANGE `locals.count`) or more than 10 000 (TOO_LARGE),
-    /// knots of the wrong number (KNOTS_COUNT), not finite, decreasing, or three equal
-    /// (KNOTS_MULTIPLICITY) as `knots[i]`, and poses as checkPose() does under `poses[j]`.
+    /// knots as checkBlendingKnots() does, poses as checkPose() does under `poses[j]`, and what
+    /// LocalCutter refuses.
     static Result<BlendingCurve> fromModel(Curve model, std::size_t count, BlendForm form,
                                            BFunction blend, std::vector<double> knots,
-                                           std::span<const Pose> poses);
+                                           std::span<const Pose> poses, const LocalCut& cut = {});
 
     /// From local curves given one by one; with `fit`, each source's domain is mapped affinely onto
     /// its support. `knots` empty: 0, 1, …
@@ -52,26 +60,41 @@ public:
     /// rows[k] = the k-th derivative; outside the domain a closed curve wraps and an open one is
     /// continued by its end local.
     void evaluate(double t, Side side, std::span<Vec3> rows) const noexcept;
-    [[nodiscard]] std::span<const double> breaks() const noexcept { return knots_; }
-    void points(std::span<const double> ts, std::span<Vec3> out) const noexcept;
+    /// The knots, and between them the breaks of the local curves that are blended there.
+    [[nodiscard]] std::span<const double> breaks() const noexcept { return *breaks_; }
 
     /// The n weights with which the locals are blended at t: at most two are not zero, sum 1.
     [[nodiscard]] std::vector<double> blendBasis(double t) const;
     /// The interval where local j takes part, [t_{j−1}, t_{j+1}] cut to the domain (a closed
     /// curve's first local: [t_{n−1} − T, t_1]).
-    [[nodiscard]] Interval support(std::size_t j) const noexcept;
+    [[nodiscard]] Interval support(std::size_t j) const noexcept {
+        return blendingSupport(knots_, j, form_);
+    }
 
     [[nodiscard]] BlendingCurve withPoses(std::span<const Pose> poses) const;
+
+    /// Where t falls: between local `first`, centred at `start`, and local `second`, which is
+    /// evaluated at t − shift (the period for a closed curve's wrapped local, otherwise 0).
+    struct Span {
+        std::size_t first = 0;
+        std::size_t second = 0;
+        double start = 0;
+        double length = 1;
+        double shift = 0;
+        double t = 0;  ///< wrapped into the domain
+    };
+    [[nodiscard]] Span spanAt(double t, Side side) const noexcept;
 
 private:
     BlendingCurve(std::shared_ptr<const Curve> model, std::vector<LocalCurve> locals,
                   BlendForm form, BFunction blend, std::vector<double> knots);
 
-    struct Span;
-    [[nodiscard]] Span spanAt(double t, Side side) const noexcept;
+    void setLocals(std::vector<LocalCurve> locals);
+    void findBreaks();
 
     std::shared_ptr<const Curve> model_;
     std::shared_ptr<const std::vector<LocalCurve>> locals_;
+    std::shared_ptr<const std::vector<double>> breaks_;
     BlendForm form_;
     BFunction blend_;
     std::vector<double> knots_;

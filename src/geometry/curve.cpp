@@ -1,5 +1,6 @@
 #include "geometry/curve.hpp"
 
+#include "geometry/blending_sampler.hpp"
 #include "geometry/piecewise_polynomial.hpp"
 
 #include <algorithm>
@@ -81,13 +82,12 @@ struct CurveSampler::Prepared {
         if (const auto* bezier = of.as<BezierCurve>()) {
             if (const auto same = asBspline(*bezier)) pieces.emplace(*same);
         }
+        if (const auto* blending = of.as<BlendingCurve>()) blend.emplace(*blending);
     }
 
     void block(std::span<const double> ts, std::span<Vec3> out) const noexcept {
         if (const auto* parametric = curve.as<ParametricCurve>()) {
             parametric->samplePoints(ts, out);
-        } else if (const auto* blending = curve.as<BlendingCurve>()) {
-            blending->points(ts, out);
         } else {
             const double end = domain(curve).end;
             std::visit(
@@ -102,7 +102,8 @@ struct CurveSampler::Prepared {
     }
 
     void points(std::span<const double> ts, double* xyz) const noexcept {
-        std::array<Vec3, blockSize> block{};
+        if (blend) return blend->points(ts, {xyz, 3 * ts.size()});
+        std::array<Vec3, blockSize> block;
         for (std::size_t done = 0; done < ts.size(); done += blockSize) {
             const std::size_t count = std::min(blockSize, ts.size() - done);
             this->block(ts.subspan(done, count), {block.data(), count});
@@ -131,6 +132,7 @@ struct CurveSampler::Prepared {
 
     Curve curve;
     std::optional<BsplineSampler> pieces;
+    std::optional<BlendingSampler> blend;
 };
 
 CurveSampler::CurveSampler(const Curve& curve)

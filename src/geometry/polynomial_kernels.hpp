@@ -124,6 +124,62 @@ void bernsteinBlock(const double* c, std::size_t degree, const double* us, std::
             count, xyz);
 }
 
+// P(u) + b D(u), every point with a b of its own: the terms are blended on the way. Term k of P is
+// followed by that of D.
+template <std::size_t Components, std::size_t Fixed>
+void blendFour(const double* c, std::size_t degree, const double* u, const double* b,
+               double* xyz) noexcept {
+    const std::size_t d = Fixed > 0 ? Fixed : degree;
+    const Double2 u0 = simd::load(u);
+    const Double2 u1 = simd::load(u + 2);
+    const Double2 b0 = simd::load(b);
+    const Double2 b1 = simd::load(b + 2);
+    const auto blended = [c](std::size_t k, std::size_t axis, Double2 weight) {
+        const double* term = c + 2 * k * Components + axis;
+        return simd::loadSplat(term) + weight * simd::loadSplat(term + Components);
+    };
+    Pair<Components> sum0;
+    Pair<Components> sum1;
+    for (std::size_t i = 0; i < Components; ++i) {
+        sum0.axes[i] = blended(d, i, b0);
+        sum1.axes[i] = blended(d, i, b1);
+    }
+    for (std::size_t k = d; k-- > 0;) {
+        for (std::size_t i = 0; i < Components; ++i) {
+            sum0.axes[i] = sum0.axes[i] * u0 + blended(k, i, b0);
+            sum1.axes[i] = sum1.axes[i] * u1 + blended(k, i, b1);
+        }
+    }
+    storePair(xyz, sum0);
+    storePair(xyz + 6, sum1);
+}
+
+template <std::size_t Components, std::size_t Fixed>
+void blendRun(const double* c, std::size_t degree, const double* us, const double* bs,
+              std::size_t count, double* xyz) noexcept {
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        blendFour<Components, Fixed>(c, degree, us + i, bs + i, xyz + 3 * i);
+    }
+    if (i == count) return;
+    std::array<double, 12> last;
+    blendFour<Components, Fixed>(c, degree, us + i, bs + i, last.data());
+    std::copy_n(last.data(), 3 * (count - i), xyz + 3 * i);
+}
+
+template <std::size_t Components>
+void blendBlock(const double* c, std::size_t degree, const double* us, const double* bs,
+                std::size_t count, double* xyz) noexcept {
+    switch (degree) {
+        case 1:
+            return blendRun<Components, 1>(c, degree, us, bs, count, xyz);
+        case 3:
+            return blendRun<Components, 3>(c, degree, us, bs, count, xyz);
+        default:
+            return blendRun<Components, 0>(c, degree, us, bs, count, xyz);
+    }
+}
+
 /// One homogeneous point of the same form.
 inline std::array<double, 4> bernsteinPoint(const double* c, std::size_t degree,
                                             double u) noexcept {

@@ -203,6 +203,21 @@ void dropPosesBeyond(Json& curve, std::size_t count) {
 
 void adaptCurve(const Json& before, Json& after);
 
+/// Another kind of local curves has its own degree; curves given one by one are not spaced.
+void adaptLocals(const Json& before, Json& after) {
+    const Json* locals = member(after, "locals");
+    const Json* former = member(before, "locals");
+    if (locals == nullptr || former == nullptr) return;
+    if (locals->is_array()) {
+        if (!former->is_array()) after.erase("spacing");
+        return;
+    }
+    if (locals->is_object() && former->is_object() && differs(*former, *locals, "kind") &&
+        !differs(*former, *locals, "degree")) {
+        after["locals"].erase("degree");
+    }
+}
+
 /// Whether the model is not the former one with other numbers but another curve altogether.
 bool isAnotherModel(const Json& before, const Json& after) {
     const Json* from = member(before, "model");
@@ -216,13 +231,20 @@ void adaptBlending(const Json& before, Json& after) {
         const Json* former = member(before, "model");
         if (former != nullptr && *former != *model) adaptCurve(*former, after["model"]);
     }
+    adaptLocals(before, after);
     const auto count = localCount(after);
     if (!count) return;
     if (!differs(before, after, "poses")) dropPosesBeyond(after, *count);
-    if (differs(before, after, "knots")) return;
+    if (differs(before, after, "knots")) {
+        // Knots that were moved are no longer at equal lengths.
+        const bool spaced = stringOr(after, "spacing", "") == "length";
+        if (spaced && !differs(before, after, "spacing")) after["spacing"] = "parameter";
+        return;
+    }
     const bool counts = localCount(before) != count || differs(before, after, "form");
-    if (!counts && !differs(before, after, "model")) return;
-    if (isDefault(before, "knots") || isAnotherModel(before, after)) {
+    const bool spacing = differs(before, after, "spacing");
+    if (!counts && !spacing && !differs(before, after, "model")) return;
+    if (spacing || isDefault(before, "knots") || isAnotherModel(before, after)) {
         after.erase("knots");
     } else if (counts) {
         const bool closed = stringOr(after, "form", "open") == "closed";

@@ -2,6 +2,7 @@
 
 #include "geometry/refinement.hpp"
 #include "scene/adaptation.hpp"
+#include "scene/blending_specs.hpp"
 #include "scene/document.hpp"
 #include "scene/edits.hpp"
 #include "scene/json_values.hpp"
@@ -140,6 +141,39 @@ Result<Json> withKnotInserted(const Object& object, double at) {
     return spec;
 }
 
+/// Whether the command moves a knot of a blending curve whose local curves are to stay.
+Result<bool> keepsLocals(const State& state, const Path& path, const Json& command) {
+    const Json* recut = member(command, "recut");
+    if (recut == nullptr) return false;
+    if (!recut->is_boolean()) {
+        return refuse(Code::wrongType, "recut",
+                      "Expected true or false, got " + describeValue(*recut) + ".");
+    }
+    const bool knot = startsWith(path, "objects") && path.size() == 4 && path[2].key == "knots" &&
+                      path[1].index < state.objects.size();
+    if (!knot || state.objects[path[1].index]->curve.as<BlendingCurve>() == nullptr) {
+        return refuse(Code::notSupported, "recut",
+                      "Only local curves are cut anew or not, when a knot of theirs is moved.");
+    }
+    return !recut->get<bool>();
+}
+
+/// The state after a knot has been moved while every local curve stays where it is.
+Result<State> withLocalsKept(const State& state, const Path& path, const Json& command) {
+    const std::size_t i = path[1].index;
+    const Object& object = *state.objects[i];
+    const auto moved = moveIn(object.spec, std::span<const PathStep>(path).subspan(2), command);
+    if (!moved) return moved.error().under(indexed("objects", i));
+    // Whatever is wrong with the knots is said as it is of any others.
+    if (const auto checked = readCurve(*moved, objectFields()); !checked) {
+        return checked.error().under(indexed("objects", i));
+    }
+    auto spec = withKnots(object.spec, *object.curve.as<BlendingCurve>(),
+                          numbersOf(*member(*moved, "knots")), false);
+    if (!spec) return spec.error().under(indexed("objects", i));
+    return withObject(state, i, dressed(std::move(*spec), object));
+}
+
 /// The object that a command names by its id under `key`.
 Result<std::size_t> objectNamed(const State& state, const Json& arguments, std::string_view verb) {
     const std::string path = std::string(verb) + ".object";
@@ -266,6 +300,11 @@ Result<State> executeAt(const State& state, std::string_view verb, const Path& p
     if (needsValue && value == nullptr) {
         return refuse(Code::wrongType, "value", "The command needs a \"value\".");
     }
+    if (verb == "move") {
+        const auto keeps = keepsLocals(state, path, command);
+        if (!keeps) return keeps.error();
+        if (*keeps) return withLocalsKept(state, path, command);
+    }
     if (entry && verb == "remove") return withoutEntry(state, path);
     if (entry && needsValue) return withEntry(state, path, *value, verb == "set");
     return changeAt(state, path, [&](const Json& part, std::span<const PathStep> rest) {
@@ -281,7 +320,7 @@ Result<std::string_view> verbOf(const Json& command) {
     for (const auto& item : command.items()) {
         const auto known = std::find(verbs.begin(), verbs.end(), item.key());
         const bool argument = item.key() == "value" || item.key() == "to" || item.key() == "by" ||
-                              item.key() == "gesture";
+                              item.key() == "gesture" || item.key() == "recut";
         if (known == verbs.end() && !argument) {
             return refuse(Code::unknownField, item.key(),
                           "A command has no field \"" + item.key() + "\".");
@@ -305,6 +344,9 @@ Result<Executed> executeCommand(const State& state, const Json& command) {
     }
     const auto verb = verbOf(command);
     if (!verb) return verb.error();
+    if (*verb != "move" && member(command, "recut") != nullptr) {
+        return refuse(Code::unknownField, "recut", "Only a move of a knot can keep local curves.");
+    }
     const Json& argument = *member(command, *verb);
     if (*verb == "add") return executeAdd(state, argument);
     if (*verb == "pose") return executePose(state, argument);

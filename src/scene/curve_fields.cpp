@@ -13,7 +13,10 @@ constexpr std::array formChoices{
     Choice{"clamped", "Clamped"}, Choice{"open", "Open"}, Choice{"closed", "Closed"}};
 constexpr std::array blendFormChoices{Choice{"open", "Open"}, Choice{"closed", "Closed"}};
 constexpr std::array fitChoices{Choice{"affine", "Affine"}};
-constexpr std::array localKindChoices{Choice{"sub-curve", "Sub-curve"}};
+constexpr std::array spacingChoices{Choice{"parameter", "Parameter"}, Choice{"length", "Length"}};
+constexpr std::array localKindChoices{
+    Choice{"sub-curve", "Sub-curve"}, Choice{"line", "Line"}, Choice{"arc", "Arc"},
+    Choice{"bezier", "Bézier curve"}, Choice{"bspline", "B-spline"}};
 
 constexpr std::array bsplineFields{
     Field{.name = "degree", .label = "Degree", .kind = FieldKind::integer,
@@ -54,6 +57,10 @@ constexpr std::array blendingFields{
     Field{.name = "fit", .label = "Fit", .kind = FieldKind::choice,
           .help = "Maps each local curve's own domain onto the interval where it takes part.",
           .choices = fitChoices},
+    Field{.name = "spacing", .label = "Spacing", .kind = FieldKind::choice,
+          .help = "Puts the knots at equal steps of the model's parameter or of its length, where "
+                  "they are not given.",
+          .choices = spacingChoices},
     Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
           .help = "Where each local curve is centred; a closed curve has one more, the period "
                   "after the first."},
@@ -123,6 +130,9 @@ constexpr std::array localsTable{
     Field{.name = "kind", .label = "Kind", .kind = FieldKind::choice,
           .help = "What is cut from the model.", .defaultJson = "\"sub-curve\"",
           .choices = localKindChoices},
+    Field{.name = "degree", .label = "Degree", .kind = FieldKind::integer,
+          .help = "Of Bézier curves (up to 25) and B-splines (up to 7); 3 if left out.", .min = 1,
+          .max = 25, .maxIsSize = true},
 };
 
 }  // namespace

@@ -1,6 +1,12 @@
 #include "scene/spec_builders.hpp"
 
+#include "geometry/knot_spacing.hpp"
+#include "geometry/local_cuts.hpp"
 #include "scene/json_values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace knotwork::scene {
 
@@ -40,6 +46,66 @@ std::vector<double> knotsOf(const Json& spec) {
     return knots != nullptr ? numbersOf(*knots) : std::vector<double>{};
 }
 
+struct NamedKind {
+    std::string_view name;
+    LocalKind kind;
+    bool hasDegree;
+};
+constexpr std::array localKinds{
+    NamedKind{"sub-curve", LocalKind::subCurve, false}, NamedKind{"line", LocalKind::line, false},
+    NamedKind{"arc", LocalKind::arc, false}, NamedKind{"bezier", LocalKind::bezier, true},
+    NamedKind{"bspline", LocalKind::bspline, true}};
+
+/// What `locals` says is cut; the degree is filled in where the kind has one.
+Result<LocalCut> localCutOf(Json& locals) {
+    const std::string name = stringOr(locals, "kind", "sub-curve");
+    const auto named = std::find_if(localKinds.begin(), localKinds.end(),
+                                    [&](const NamedKind& one) { return one.name == name; });
+    LocalCut cut{.kind = named->kind};
+    const Json* degree = member(locals, "degree");
+    if (!named->hasDegree) {
+        if (degree == nullptr) return cut;
+        return refuse(Code::notSupported, "locals.degree",
+                      "Local curves of the kind \"" + name + "\" have no degree; leave it out.");
+    }
+    if (degree != nullptr) cut.degree = static_cast<std::size_t>(degree->get<double>());
+    if (named->kind == LocalKind::bspline && cut.degree >= localSplinePoints) {
+        return refuse(Code::outOfRange, "locals.degree",
+                      "The degree is " + std::to_string(cut.degree) +
+                          "; a B-spline with 8 control points has at most degree 7.");
+    }
+    locals["degree"] = static_cast<double>(cut.degree);
+    return cut;
+}
+
+/// Whether these are the knots that are written beside `spacing` in a canonical specification.
+bool areThese(std::span<const double> given, std::span<const double> spaced) {
+    const double tolerance = 1e-9 * (spaced.back() - spaced.front());
+    return std::equal(given.begin(), given.end(), spaced.begin(), spaced.end(),
+                      [&](double a, double b) { return std::abs(a - b) <= tolerance; });
+}
+
+/// The knots of a curve that is cut from a model; none for the usual ones.
+Result<std::vector<double>> spacedKnots(Json& spec, const Curve& model, std::size_t count,
+                                        BlendForm form) {
+    std::vector<double> given = knotsOf(spec);
+    if (stringOr(spec, "spacing", "parameter") != "length") {
+        spec["spacing"] = "parameter";
+        return given;
+    }
+    if (count < 2) return given;
+    auto spaced = equalLengthKnots(model, blendingKnotCount(count, form));
+    if (!spaced) {
+        return refuse(Code::notSupported, "spacing",
+                      "The model has no length by which knots could be spaced; space them by "
+                      "\"parameter\".");
+    }
+    if (given.empty()) return *spaced;
+    if (areThese(given, *spaced)) return given;
+    return refuse(Code::notSupported, "spacing",
+                  "These knots are not those of equal lengths; leave \"knots\" out, or \"spacing\".");
+}
+
 Result<Curve> finishBlend(Json& spec, Result<BlendingCurve> made) {
     if (!made) return made.error();
     spec["form"] = made->closed() ? "closed" : "open";
@@ -63,12 +129,17 @@ Result<Curve> buildFromModel(Json& spec, BFunction blend) {
     auto model = buildCurve(completed);
     if (!model) return model.error().under("model");
     spec["model"] = std::move(completed);
-    const auto count = static_cast<std::size_t>(numberOr(*member(spec, "locals"), "count", 0));
+    Json& locals = spec["locals"];
+    const auto count = static_cast<std::size_t>(numberOr(locals, "count", 0));
+    const auto cut = localCutOf(locals);
+    if (!cut) return cut.error();
     const auto poses = buildPoses(spec, count);
     if (!poses) return poses.error();
     const BlendForm form = blendFormOf(spec, isClosed(*model));
+    auto knots = spacedKnots(spec, *model, count, form);
+    if (!knots) return knots.error();
     return finishBlend(spec, BlendingCurve::fromModel(*model, count, form, std::move(blend),
-                                                      knotsOf(spec), *poses));
+                                                      std::move(*knots), *poses, *cut));
 }
 
 Result<Curve> buildFromList(Json& spec, BFunction blend) {
@@ -77,9 +148,20 @@ Result<Curve> buildFromList(Json& spec, BFunction blend) {
                       "The local curves are given one by one; leave \"model\" out, or give "
                       "\"locals\" as { count, kind }.");
     }
-    Json completed = *member(spec, "locals");
+    if (member(spec, "spacing") != nullptr) {
+        return refuse(Code::notSupported, "spacing",
+                      "Knots are spaced along a model, and here the local curves are given one by "
+                      "one; leave \"spacing\" out.");
+    }
+    const Json& given = *member(spec, "locals");
+    Json completed = given;
     std::vector<Curve> locals;
     for (std::size_t j = 0; j < completed.size(); ++j) {
+        if (j > 0 && given[j] == given[j - 1]) {  // one curve for both: it is evaluated once
+            completed[j] = completed[j - 1];
+            locals.push_back(locals.back());
+            continue;
+        }
         auto local = buildCurve(completed[j]);
         if (!local) return local.error().under(indexed("locals", j));
         locals.push_back(std::move(*local));
