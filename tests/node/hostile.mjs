@@ -64,6 +64,10 @@ export const curves = [
         poses: [{ local: 1, translate: [1, 0, 0], rotate: { axis: [0, 0, 1], angle: 1 }, scale: [1, 2, 1] }],
     },
     { type: 'blending-curve', bFunction: { family: 'linear' }, locals: [circle, circle], knots: [0, 6], form: 'open' },
+    {
+        type: 'blending-curve', bFunction: { family: 'linear' }, model: circle, form: 'closed',
+        locals: { count: 3, kind: 'bezier', degree: 2 }, spacing: 'length',
+    },
 ];
 
 export const scenes = [
@@ -88,7 +92,9 @@ export const methods = {
     BsplineCurve: {
         insertKnot: ['number', 'integer?'], basis: ['number', { derivatives: 'integer' }], basisAt: ['list', { into: 'object' }],
     },
-    BlendingCurve: { withPose: ['integer', 'object'], blendBasis: ['number'] },
+    BlendingCurve: {
+        withPose: ['integer', 'object'], blendBasis: ['number'], local: ['integer'], withKnots: ['list', { recut: 'boolean' }],
+    },
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'],
     },
