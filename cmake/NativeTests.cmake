@@ -6,6 +6,12 @@ file(GLOB session_sources CONFIGURE_DEPENDS
 add_library(knotwork_session STATIC ${session_sources})
 target_link_libraries(knotwork_session PUBLIC knotwork_drawing PRIVATE knotwork_our_code)
 
+# What ./dev bench compares WebAssembly with.
+if(KNOTWORK_BENCH)
+    add_executable(knotwork_bench "${PROJECT_SOURCE_DIR}/tests/bench/native/main.cpp")
+    target_link_libraries(knotwork_bench PRIVATE knotwork_scene knotwork_our_code)
+endif()
+
 # The C++ tests. KNOTWORK_TESTS=OFF compiles the libraries only (a second compiler's opinion).
 option(KNOTWORK_TESTS "Build the C++ tests" ON)
 if(NOT KNOTWORK_TESTS)

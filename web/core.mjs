@@ -162,6 +162,15 @@ export class Core {
     }
 
     /**
+     * The same as a view that lasts until the next call.
+     * @param {number} count
+     */
+    bulkView(count) {
+        const start = this.call('bulk') / 8;
+        return this.#module.HEAPF64.subarray(start, start + count);
+    }
+
+    /**
      * Numbers at an address of wasm memory, copied.
      * @param {number} address
      * @param {number} count

@@ -1,7 +1,7 @@
 // Curves as values: what every kind answers, and what B-spline and blending curves answer besides.
 
 import {
-    choice, derivativeOrder, finite, integer, lengthOfNumbers, numbers, options, sampleCount, target,
+    choice, copyInto, derivativeOrder, finite, integer, lengthOfNumbers, numbers, options, sampleCount, target,
 } from './check.mjs';
 import { Held } from './held.mjs';
 import { basisTarget, fill, fillAt, fillBasis } from './samples.mjs';
@@ -142,6 +142,17 @@ export class BsplineCurve extends Curve {
     /** The Greville abscissae, one a point. */
     get greville() {
         return listOf(this, 'curveGrevilles');
+    }
+
+    /** The control points as x, y, z triples. @param {{ into?: Float64Array }} [given] */
+    controlPoints(given) {
+        const { core, handle } = Held.of(this);
+        const { into } = options(given, ['into']);
+        const length = 3 * core.count('curveControlPoints', handle);
+        if (into === undefined) return core.bulk(length);
+        const answer = target(into, length);
+        copyInto(answer, core.bulkView(length), 0);
+        return answer;
     }
 
     /** The same curve with one more knot. @param {number} t @param {number} [times] */

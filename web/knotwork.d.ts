@@ -243,6 +243,8 @@ export interface BsplineCurve extends Curve {
     readonly knots: number[];
     /** The Greville abscissae, one a point. */
     readonly greville: number[];
+    /** The control points as x, y, z triples. */
+    controlPoints(options?: { into?: Float64Array }): Float64Array;
     /** The same curve with the knot t `times` times more (default once). */
     insertKnot(t: number, times?: number): BsplineCurve;
     /** Row k: the k-th derivative of all n basis functions. */

@@ -49,6 +49,7 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("curveParameterAtLength", &Session::curveParameterAtLength)
         .function("curveKnots", &Session::curveKnots)
         .function("curveGrevilles", &Session::curveGrevilles)
+        .function("curveControlPoints", &Session::curveControlPoints)
         .function("curveInsertKnot", &Session::curveInsertKnot)
         .function("curveBasis", &Session::curveBasis)
         .function("curveBasisAt", &Session::curveBasisAt)

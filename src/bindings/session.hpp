@@ -105,6 +105,8 @@ public:
     /// bulk: the knots. Answers their number, or -1.
     [[nodiscard]] int curveKnots(int handle);
     [[nodiscard]] int curveGrevilles(int handle);
+    /// bulk: x, y, z of the control points. Answers how many, or -1.
+    [[nodiscard]] int curveControlPoints(int handle);
     [[nodiscard]] int curveInsertKnot(int handle, double t, int times);
     /// bulk: derivatives+1 rows of n numbers. Answers n, or -1.
     [[nodiscard]] int curveBasis(int handle, double t, int derivatives);

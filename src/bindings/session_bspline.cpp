@@ -40,6 +40,15 @@ int Session::curveGrevilles(int handle) {
     return leave(std::move(grevilles), count);
 }
 
+int Session::curveControlPoints(int handle) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return -1;
+    std::vector<double> xyz;
+    xyz.reserve(3 * spline->points().size());
+    for (const Vec3& point : spline->points()) xyz.insert(xyz.end(), {point.x, point.y, point.z});
+    return leave(std::move(xyz), spline->points().size());
+}
+
 int Session::curveInsertKnot(int handle, double t, int times) {
     const auto* spline = findBspline(handle);
     if (!spline) return 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace knotwork {
 
@@ -34,23 +35,40 @@ public:
     /// The functions at two parameters, which stand in the lanes.
     void pair(Double2 t, std::array<Double2, maxDegree + 1>& functions) const noexcept {
         functions[0] = simd::splat(1);
-        std::size_t at = 0;
-        for (std::size_t k = 1; k <= degree(); ++k) {
-            Double2 carried = simd::splat(0);
-            for (std::size_t j = 0; j < k; ++j, ++at) {
-                const Double2 w =
-                    (t - simd::loadSplat(&starts_[at])) * simd::loadSplat(&inverses_[at]);
-                const Double2 upper = w * functions[j];
-                functions[j] = carried + (functions[j] - upper);
-                carried = upper;
+        if constexpr (Fixed == 3) {  // by name, so that all stays in registers
+            step<1>(t, functions, std::make_index_sequence<1>());
+            step<2>(t, functions, std::make_index_sequence<2>());
+            step<3>(t, functions, std::make_index_sequence<3>());
+        } else {
+            for (std::size_t k = 1; k <= degree(); ++k) {
+                Double2 carried = simd::splat(0);
+                for (std::size_t j = 0; j < k; ++j) raise(t, k, j, carried, functions);
+                functions[k] = carried;
             }
-            functions[k] = carried;
         }
     }
 
     [[nodiscard]] std::size_t degree() const noexcept { return Fixed > 0 ? Fixed : degree_; }
 
 private:
+    /// Function j of degree k-1 gives its share to functions j and, carried, j+1 of degree k.
+    void raise(Double2 t, std::size_t k, std::size_t j, Double2& carried,
+               std::array<Double2, maxDegree + 1>& functions) const noexcept {
+        const std::size_t at = rowSize(k - 1) + j;
+        const Double2 w = (t - simd::loadSplat(&starts_[at])) * simd::loadSplat(&inverses_[at]);
+        const Double2 upper = w * functions[j];
+        functions[j] = carried + (functions[j] - upper);
+        carried = upper;
+    }
+
+    template <std::size_t K, std::size_t... J>
+    void step(Double2 t, std::array<Double2, maxDegree + 1>& functions,
+              std::index_sequence<J...>) const noexcept {
+        Double2 carried = simd::splat(0);
+        (raise(t, K, J, carried, functions), ...);
+        functions[K] = carried;
+    }
+
     static constexpr std::size_t size = rowSize(Fixed > 0 ? Fixed : maxDegree);
 
     std::size_t degree_;

@@ -2,9 +2,10 @@
 
 /**
  * `act` does the work once and answers with its result; where another process does it, `time` has
- * it done and says how many milliseconds that took.
+ * it done and says how many milliseconds that took. `digest` makes of a result what is compared.
  * @typedef {object} Work
- * @property {() => Float64Array | Promise<Float64Array>} act
+ * @property {() => any} act
+ * @property {(result: any) => ArrayLike<number>} [digest]
  * @property {() => Promise<number>} [time]
  * @property {() => void} dispose
  */
