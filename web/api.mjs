@@ -5,6 +5,7 @@ import { Core } from './core.mjs';
 import { makeCurve } from './curve.mjs';
 import { decodeLink, encodeLink } from './links.mjs';
 import { openScene } from './scene.mjs';
+import { subdivide } from './subdivide.mjs';
 
 /**
  * @param {import('./core.mjs').Module} module
@@ -22,6 +23,8 @@ export function makeApi(module) {
         get parametricCurves() {
             return core.json('parametricCurves');
         },
+        /** @param {unknown} spec @param {unknown} [given] */
+        subdivide: (spec, given) => subdivide(core, spec, given),
         /** @param {unknown} document */
         scene: (document) => openScene(core, document),
         get scenes() {

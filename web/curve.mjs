@@ -228,8 +228,34 @@ export class ArcCurve extends Curve {}
 /** A local curve of a blending curve where it takes part, posed. */
 export class LocalCurve extends Curve {}
 
+export class SubdivisionCurve extends Curve {
+    /** Where the points of the polygon go, one each. */
+    limitPoints() {
+        return answeredPoints(this, 'limitPoints');
+    }
+
+    /** The derivatives of the limit there. */
+    limitTangents() {
+        return answeredPoints(this, 'limitTangents');
+    }
+}
+
 /** In the order of Curve::Kind. */
-const kinds = [BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve, ArcCurve, LocalCurve];
+const kinds = [
+    BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve, ArcCurve, LocalCurve, SubdivisionCurve,
+];
+
+/**
+ * Points that a curve answers to a question by name.
+ * @param {Curve} curve
+ * @param {string} question
+ */
+function answeredPoints(curve, question) {
+    const { core } = Held.of(curve);
+    const points = core.bulk(ask(curve, question, {}).count);
+    core.call('dropBulk');
+    return points;
+}
 
 /**
  * The curve behind a handle, which was made just now where its traits still stand in the block.

@@ -41,9 +41,16 @@ export interface Knotwork {
     curve(spec: BezierCurveSpec): BezierCurve;
     curve(spec: LineCurveSpec): LineCurve;
     curve(spec: ArcCurveSpec): ArcCurve;
+    curve(spec: SubdivisionCurveSpec): SubdivisionCurve;
     curve(spec: CurveSpec): Curve;
     /** The named curves and their parameters. */
     readonly parametricCurves: ParametricCurveModel[];
+
+    /**
+     * The final polygon: closed 2^levels · n points, the first not repeated; open, a level turns N
+     * points into 2N − degree, or 2N − 1 of the four-point scheme. At most 2^22 points.
+     */
+    subdivide(spec: Subdivision & IntoOption, options?: IntoOption): Float64Array;
 
     scene(document: SceneDocument): Scene;
     /** The built-in scenes. */
@@ -206,8 +213,31 @@ export interface ArcCurveSpec {
     domain: readonly [number, number];
 }
 
+export type Subdivision = {
+    type?: 'subdivision-curve';
+    points: Points;
+    /** Default false. */
+    closed?: boolean;
+    /** How often it is subdivided; default 4. */
+    levels?: number;
+} & (
+    /** Degree 1 to 25, default 3. */
+    | { scheme: 'lane-riesenfeld'; degree?: number }
+    | { scheme: 'chaikin' }
+    /** Tension -1 to 1, default 1/16, which keeps cubics; 0 keeps the polygon. */
+    | { scheme: 'four-point'; tension?: number }
+);
+
+/**
+ * The polyline through the final polygon of at most 2^20 points. Its parameter is that of its limit,
+ * the uniform B-spline of the same degree (closed [0, n]; open [degree, n], past whose ends the
+ * polygon reaches a little), and counts the vertices in the four-point scheme (closed [0, n], open
+ * [0, n − 1]).
+ */
+export type SubdivisionCurveSpec = Subdivision & { type: 'subdivision-curve' };
+
 export type CurveSpec = BsplineCurveSpec | ParametricCurveSpec | BlendingCurveSpec | BezierCurveSpec
-    | LineCurveSpec | ArcCurveSpec;
+    | LineCurveSpec | ArcCurveSpec | SubdivisionCurveSpec;
 
 /** Outside its domain a closed curve wraps and any other is OUT_OF_RANGE. */
 export interface Curve extends Disposable {
@@ -293,6 +323,20 @@ export interface LineCurve extends Curve {
 
 export interface ArcCurve extends Curve {
     readonly spec: ArcCurveSpec;
+}
+
+export interface SubdivisionCurve extends Curve {
+    /**
+     * Where the given points go, one each: for degree d the B-spline's point at i − (d − 1)/2
+     * (closed) or i + (d + 1)/2 (open; beyond the domain, its end). The four-point scheme keeps them.
+     */
+    limitPoints(): Float64Array;
+    /**
+     * The derivatives of the limit there. NOT_SUPPORTED for degree 1 and for tensions outside
+     * (0, 0.19273), whose limits have corners.
+     */
+    limitTangents(): Float64Array;
+    readonly spec: SubdivisionCurveSpec;
 }
 
 export interface ParametricCurveModel {

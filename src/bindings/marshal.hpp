@@ -3,6 +3,7 @@
 
 #include "drawing/drawing.hpp"
 #include "geometry/curve.hpp"
+#include "geometry/curve_subdivision.hpp"
 #include "geometry/result.hpp"
 #include "scene/json.hpp"
 #include "scene/scene.hpp"
@@ -25,6 +26,11 @@ inline constexpr int maximumDerivative = 25;
 /// The B-spline curve that these bytes specify, as scene::makeCurve() would make it; nothing where
 /// they specify something else, or where anything about it is to be refused.
 [[nodiscard]] std::optional<Curve> readUsualBspline(std::span<const std::uint8_t> bytes);
+
+/// The subdivision that these bytes specify, as scene::makeSubdivision() would make it; nothing
+/// where anything about it is to be refused.
+[[nodiscard]] std::optional<CurveSubdivision> readUsualSubdivision(
+    std::span<const std::uint8_t> bytes);
 
 /// { code, path, message }.
 [[nodiscard]] std::string errorJson(const Error& error);

@@ -36,22 +36,9 @@ bool readNumbers(const CborItem& item, std::vector<double>& numbers) {
     return !numbers.empty();
 }
 
-/// Flat triples, or points of one dimension; any other list is unusual.
-bool readPoints(const CborItem& item, std::vector<Vec3>& points) {
-    const std::size_t width = item.kind == Kind::points ? item.width : 3;
-    if (item.kind != Kind::points && item.kind != Kind::numbers) return false;
-    if (item.length % width != 0 || item.length > width * maxPointCount) return false;
-    points.resize(item.length / width);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::size_t at = i * width;
-        points[i] = {item.numberAt(at), item.numberAt(at + 1), width == 3 ? item.numberAt(at + 2) : 0};
-    }
-    return true;
-}
-
 bool readField(CborCursor& cursor, std::string_view key, Parts& parts) {
     const CborItem value = cursor.next();
-    if (key == "points") return readPoints(value, parts.points);
+    if (key == "points") return readPoints(value, maxPointCount, parts.points);
     if (key == "knots") return readNumbers(value, parts.knots);
     if (key == "weights") return readNumbers(value, parts.weights);
     if (key == "degree") {

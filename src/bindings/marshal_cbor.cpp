@@ -155,4 +155,16 @@ Result<Json> readCbor(std::span<const std::uint8_t> bytes) {
     return refuse(Code::syntax, "", "The input did not cross whole; this is a fault of the facade.");
 }
 
+bool readPoints(const CborItem& item, std::size_t most, std::vector<Vec3>& points) {
+    const std::size_t width = item.kind == Kind::points ? item.width : 3;
+    if (item.kind != Kind::points && item.kind != Kind::numbers) return false;
+    if (item.length % width != 0 || item.length / width > most) return false;
+    points.resize(item.length / width);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t at = i * width;
+        points[i] = {item.numberAt(at), item.numberAt(at + 1), width == 3 ? item.numberAt(at + 2) : 0};
+    }
+    return true;
+}
+
 }  // namespace knotwork::bindings

@@ -3,11 +3,14 @@
 // little-endian doubles.
 #pragma once
 
+#include "geometry/vec.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace knotwork::bindings {
 
@@ -44,5 +47,8 @@ private:
 
     std::span<const std::uint8_t> rest_;
 };
+
+/// Flat triples, or points of one dimension; false for any other list, and for more than `most`.
+[[nodiscard]] bool readPoints(const CborItem& item, std::size_t most, std::vector<Vec3>& points);
 
 }  // namespace knotwork::bindings

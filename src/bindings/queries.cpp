@@ -7,7 +7,9 @@ namespace knotwork::bindings {
 
 namespace {
 
-constexpr std::array<std::span<const CurveQuery>, 0> curveTopics{};
+std::array<std::span<const CurveQuery>, 1> curveTopics() noexcept {
+    return {subdivisionQueries()};
+}
 constexpr std::array<std::span<const FreeQuery>, 0> freeTopics{};
 
 template <class Query, std::size_t N>
@@ -24,7 +26,7 @@ const Query* findIn(const std::array<std::span<const Query>, N>& topics,
 }  // namespace
 
 const CurveQuery* findCurveQuery(std::string_view name) noexcept {
-    return findIn(curveTopics, name);
+    return findIn(curveTopics(), name);
 }
 
 const FreeQuery* findFreeQuery(std::string_view name) noexcept { return findIn(freeTopics, name); }

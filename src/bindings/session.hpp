@@ -13,6 +13,7 @@
 #include "geometry/arc_length.hpp"
 #include "geometry/b_function.hpp"
 #include "geometry/curve.hpp"
+#include "geometry/curve_subdivision.hpp"
 #include "scene/scene.hpp"
 #include "scene/specs.hpp"
 
@@ -121,6 +122,13 @@ public:
     /// The input is { knots, recut }.
     [[nodiscard]] int curveWithKnots(int handle, unsigned bytes);
 
+    // Subdivision of polygons. It begins with all but the last levels, which are made block by block.
+    /// Answers how many points the final polygon has, or -1.
+    [[nodiscard]] int subdivision(unsigned bytes);
+    /// block: `count` ≤ 1024 points of it, the first at `first`, which is even.
+    [[nodiscard]] bool subdivisionPoints(unsigned first, unsigned count);
+    void dropSubdivision();
+
     // Scenes.
     [[nodiscard]] int openScene(unsigned bytes);
     /// The scene itself, for a view that shows it; null for an unknown handle.
@@ -185,6 +193,7 @@ private:
     std::array<double, blockPoints> parameters_{};
     std::array<std::int32_t, blockPoints> integers_{};
     std::vector<double> bulk_;
+    std::optional<FinalPolygon> subdivided_;
     drawing::Drawing drawing_;
     std::vector<Slot> slots_;
     std::vector<unsigned> free_;

@@ -13,6 +13,7 @@
 #include "geometry/line_curve.hpp"
 #include "geometry/local_curve.hpp"
 #include "geometry/parametric_curve.hpp"
+#include "geometry/subdivision_curve.hpp"
 #include "geometry/vec.hpp"
 
 #include <memory>
@@ -27,7 +28,7 @@ namespace knotwork {
 class Curve {
 public:
     using Kind = std::variant<BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve,
-                              ArcCurve, LocalCurve>;
+                              ArcCurve, LocalCurve, SubdivisionCurve>;
 
     /// Of any of the kinds.
     template <class T>

@@ -120,6 +120,21 @@ private:
     std::vector<Chord> open_;
 };
 
+/// A polyline is its own: its ends and its corners, whatever the tolerance.
+Polyline corners(const Curve& curve, const Interval& part) {
+    Polyline line;
+    line.parameters = breakParameters(curve, part);
+    line.parameters.insert(line.parameters.begin(), part.start);
+    line.parameters.push_back(part.end);
+    line.xyz.reserve(3 * line.parameters.size());
+    for (const double t : line.parameters) {
+        Vec3 point;
+        evaluate(curve, t, Side::left, {&point, 1});
+        line.xyz.insert(line.xyz.end(), {point.x, point.y, point.z});
+    }
+    return line;
+}
+
 }  // namespace
 
 Polyline polyline(const Curve& curve, double tolerance) {
@@ -127,6 +142,7 @@ Polyline polyline(const Curve& curve, double tolerance) {
 }
 
 Polyline polyline(const Curve& curve, const Interval& part, double tolerance) {
+    if (curve.as<SubdivisionCurve>() != nullptr) return corners(curve, part);
     Refiner refiner(curve, tolerance);
     const std::vector<double> breaks = cuts(curve, part);
     for (std::size_t i = 1; i < breaks.size(); ++i) refiner.piece(breaks[i - 1], breaks[i]);

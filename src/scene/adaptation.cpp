@@ -168,6 +168,13 @@ void adaptParametric(const Json& before, Json& after) {
     }
 }
 
+/// `degree` and `tension` belong to one scheme each.
+void adaptSubdivision(const Json& before, Json& after) {
+    if (!differs(before, after, "scheme")) return;
+    after.erase("degree");
+    after.erase("tension");
+}
+
 /// The number of local curves, or nothing where `locals` is not yet known to be well formed.
 std::optional<std::size_t> localCount(const Json& curve) {
     const Json* locals = member(curve, "locals");
@@ -259,6 +266,7 @@ void adaptCurve(const Json& before, Json& after) {
     if (type == "bezier-curve" && isListOfPoints(after)) adaptWeights(before, after);
     if (type == "parametric-curve") adaptParametric(before, after);
     if (type == "blending-curve") adaptBlending(before, after);
+    if (type == "subdivision-curve") adaptSubdivision(before, after);
 }
 
 /// Enough samples that the table looks like the function it was made from.

@@ -1,4 +1,6 @@
 // The tables of curves, and of the local curves and poses of blending curves.
+#include "geometry/curve_subdivision.hpp"
+#include "geometry/knot_vector.hpp"
 #include "scene/fields.hpp"
 #include "scene/rotation_fields.hpp"
 
@@ -102,6 +104,29 @@ constexpr std::array arcFields{
           .help = "Where the parameter runs, [start, end].", .required = true},
 };
 
+constexpr std::array schemeChoices{Choice{"lane-riesenfeld", "Lane–Riesenfeld"},
+                                   Choice{"chaikin", "Chaikin"},
+                                   Choice{"four-point", "Four-point"}};
+
+constexpr std::array subdivisionFields{
+    Field{.name = "scheme", .label = "Scheme", .kind = FieldKind::choice,
+          .help = "How a level makes new points of the old ones.", .required = true,
+          .choices = schemeChoices},
+    Field{.name = "points", .label = "Points", .kind = FieldKind::points,
+          .help = "The polygon that is subdivided.", .required = true},
+    Field{.name = "closed", .label = "Closed", .kind = FieldKind::flag,
+          .help = "Joins the last point to the first.", .defaultJson = "false"},
+    Field{.name = "levels", .label = "Levels", .kind = FieldKind::integer,
+          .help = "How often it is subdivided.", .min = 0, .max = maxSubdivisionLevels,
+          .maxIsSize = true, .defaultJson = "4", .slider = std::pair{0.0, 8.0}},
+    Field{.name = "degree", .label = "Degree", .kind = FieldKind::integer,
+          .help = "Of Lane–Riesenfeld: the degree of the B-spline that is its limit.",
+          .min = 1, .max = maxDegree, .maxIsSize = true},
+    Field{.name = "tension", .label = "Tension", .kind = FieldKind::number,
+          .help = "Of the four-point scheme: 1/16 keeps cubics, 0 the polygon.", .min = -1,
+          .max = 1, .slider = std::pair{0.0, 0.1875}},
+};
+
 constexpr std::array types{
     CurveType{"bspline-curve", "B-spline curve", bsplineFields},
     CurveType{"parametric-curve", "Parametric curve", parametricFields},
@@ -109,6 +134,7 @@ constexpr std::array types{
     CurveType{"bezier-curve", "Bézier curve", bezierFields},
     CurveType{"line-curve", "Line", lineFields},
     CurveType{"arc-curve", "Arc", arcFields},
+    CurveType{"subdivision-curve", "Subdivision curve", subdivisionFields},
 };
 
 constexpr std::array poseTable{

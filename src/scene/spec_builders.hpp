@@ -21,11 +21,16 @@ namespace knotwork::scene {
 [[nodiscard]] Result<Curve> buildBezier(Json& spec);
 [[nodiscard]] Result<Curve> buildLine(Json& spec);
 [[nodiscard]] Result<Curve> buildArc(Json& spec);
+[[nodiscard]] Result<Curve> buildSubdivision(Json& spec);
+
+/// What a checked specification says, with the fields filled in that belong to its scheme.
+[[nodiscard]] Result<CurveSubdivision> buildCurveSubdivision(Json& spec);
 
 // And back again, for what is computed.
 [[nodiscard]] Json specOf(const BsplineCurve& curve);
 [[nodiscard]] Json specOf(const BezierCurve& curve);
 [[nodiscard]] Json specOf(const LineCurve& curve);
 [[nodiscard]] Json specOf(const ArcCurve& curve);
+[[nodiscard]] Json specOf(const SubdivisionCurve& curve);
 
 }  // namespace knotwork::scene

@@ -23,6 +23,7 @@ constexpr std::array builders{
     Builder{"bezier-curve", buildBezier},
     Builder{"line-curve", buildLine},
     Builder{"arc-curve", buildArc},
+    Builder{"subdivision-curve", buildSubdivision},
 };
 
 /// The keys of a curve in the order of the tables: what was computed stands last until then.
@@ -104,6 +105,7 @@ Json specOf(const Curve& curve) {
     if (const auto* bezier = curve.as<BezierCurve>()) return specOf(*bezier);
     if (const auto* line = curve.as<LineCurve>()) return specOf(*line);
     if (const auto* arc = curve.as<ArcCurve>()) return specOf(*arc);
+    if (const auto* subdivision = curve.as<SubdivisionCurve>()) return specOf(*subdivision);
     return specOf(*curve.as<BsplineCurve>());
 }
 

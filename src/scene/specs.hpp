@@ -21,6 +21,9 @@ struct Made {
 /// in it, is checked, and does not come back.
 [[nodiscard]] Result<Made<Curve>> makeCurve(const Json& spec);
 
+/// What kw.subdivide() takes: the fields of a `subdivision-curve`, its type or none.
+[[nodiscard]] Result<CurveSubdivision> makeSubdivision(const Json& spec);
+
 /// An object of a scene: a curve specification with `id`, `style` and `show`, the last two filled
 /// in; an id that was left out stays out.
 [[nodiscard]] Result<Made<Curve>> makeObject(const Json& spec);

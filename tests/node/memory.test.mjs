@@ -11,6 +11,7 @@ const blend = {
     type: 'blending-curve', bFunction: { family: 'expo-rational', beta: 2 },
     model: { type: 'parametric-curve', name: 'butterfly' }, locals: { count: 12 },
 };
+const curveless = { scheme: 'chaikin', points: cubic.points, levels: 7 };
 const scene = { knotwork: 1, objects: [cubic, blend], effects: [{ target: 'c1', kind: 'rotate' }] };
 
 const lives = {
@@ -33,6 +34,13 @@ const lives = {
         posed.sample(20);
         posed.dispose();
         curve.dispose();
+    }],
+    'subdivided polygons': [2000, () => {
+        const curve = kw.curve({ type: 'subdivision-curve', scheme: 'four-point', points: cubic.points, levels: 3 });
+        curve.limitTangents();
+        kw.subdivide(curve.spec);
+        curve.dispose();
+        refuses(() => kw.subdivide({ ...curveless, into: new Float64Array(1) }), 'WRONG_LENGTH', 'into');
     }],
     'B-functions': [10_000, () => {
         const b = kw.bFunction({ family: 'logistic', c: 2 });

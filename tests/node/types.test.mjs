@@ -57,7 +57,10 @@ kw.scene(await kw.decodeLink(link)).dispose();
 try { kw.curve(kw.scenes[0].document.objects![0]); } catch (error) {
     if (error instanceof KnotworkError && error.code === 'OUT_OF_RANGE') console.log(error.path);
 }
-void [orders, values, rows, flat, weights, points, parameters, derivatives, shapes];
+const corners = kw.curve({ type: 'subdivision-curve', scheme: 'four-point', points: [[0, 0], [1, 0], [1, 1]], tension: 0.1 });
+const limits: Float64Array[] = [corners.limitPoints(), corners.limitTangents(), kw.subdivide(corners.spec)];
+const smooth = kw.subdivide({ scheme: 'lane-riesenfeld', degree: 3, points: new Float64Array(9), closed: true, levels: 2 }, { into: new Float64Array(36) });
+void [limits, smooth, orders, values, rows, flat, weights, points, parameters, derivatives, shapes];
 `;
 
 test('a program that uses everything compiles strictly', async () => {
@@ -72,6 +75,7 @@ for (const [name, text] of [
     ['a method of another kind of curve', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).knots;"],
     ['single precision', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).sample(3, { into: new Float32Array(9) });"],
     ['a code that does not exist', "new KnotworkError('OOPS', '', '');"],
+    ['a tension of another scheme', "(await load()).subdivide({ scheme: 'chaikin', points: [], tension: 0 });"],
     ['changing what is read only', "(await load()).bFunction({ family: 'linear' }).order = [0, 0];"],
 ]) {
     test(`${name} does not compile`, async () => {
@@ -111,6 +115,7 @@ const values = {
     BezierCurve: kw.curve({ type: 'bezier-curve', points: [[0, 0], [1, 1]] }),
     LineCurve: kw.curve({ type: 'line-curve', from: [0, 0], to: [1, 1] }),
     ArcCurve: kw.curve({ type: 'arc-curve', at: 0, point: [0, 0], first: [1, 0], second: [0, 1], domain: [0, 1] }),
+    SubdivisionCurve: kw.curve({ type: 'subdivision-curve', scheme: 'chaikin', points: [[0, 0], [1, 0], [1, 1]] }),
     Scene: kw.scene(kw.scenes[0].document),
     BFunctionFamily: kw.bFunctions[0],
     ParametricCurveModel: kw.parametricCurves[0],
