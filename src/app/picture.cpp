@@ -29,9 +29,10 @@ void addPlaced(drawing::Bounds& bounds, const scene::Placed& placed) {
     }
     const auto* blend = placed.curve.as<BlendingCurve>();
     if (blend != nullptr && placed.object->show.locals) addLocals(bounds, placed, *blend);
-    const auto* spline = placed.curve.as<BsplineCurve>();
-    if (spline == nullptr || !(placed.object->show.polygon || placed.object->show.points)) return;
-    for (const Vec3& p : spline->points()) bounds.add(placed.placement.point(p));
+    if (!placed.object->show.polygon && !placed.object->show.points) return;
+    for (const Vec3& p : drawing::controlPolygon(placed.curve).points) {
+        bounds.add(placed.placement.point(p));
+    }
 }
 
 }  // namespace

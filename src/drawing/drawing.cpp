@@ -38,11 +38,12 @@ public:
         const auto* spline = placed_.curve.as<BsplineCurve>();
         const auto* blend = placed_.curve.as<BlendingCurve>();
         if (blend != nullptr && show.locals) locals(*blend);
-        if (spline != nullptr && show.polygon) polygon(*spline);
+        const ControlPolygon control = controlPolygon(placed_.curve);
+        if (!control.points.empty() && show.polygon) polygon(control);
         if (show.curve) curve();
         if (show.knots && spline != nullptr) knotsOnCurve(spline->knotVector().knots());
         if (show.knots && blend != nullptr) knotsOnCurve(blend->knots());
-        if (spline != nullptr && show.points) controlPoints(*spline);
+        if (!control.points.empty() && show.points) controlPoints(control);
         if (blend != nullptr && show.handles) handles(*blend);
         plots(spline, blend);
     }
@@ -78,18 +79,18 @@ private:
         placeAll(shape, polyline(placed_.curve, options_.tolerance).xyz, {});
     }
 
-    void polygon(const BsplineCurve& spline) {
+    void polygon(const ControlPolygon& control) {
         Shape& shape = add(Role::polygon, Kind::polyline);
         shape.width = 1.5F;
-        for (const Vec3& p : spline.points()) place(shape, p);
-        if (spline.closed()) place(shape, spline.points().front());
+        for (const Vec3& p : control.points) place(shape, p);
+        if (control.closed) place(shape, control.points.front());
     }
 
-    void controlPoints(const BsplineCurve& spline) {
+    void controlPoints(const ControlPolygon& control) {
         Shape& shape = add(Role::points, Kind::points);
         shape.width = 11;
         shape.path = indexed("objects", static_cast<std::size_t>(object_)) + ".points";
-        for (const Vec3& p : spline.points()) place(shape, p);
+        for (const Vec3& p : control.points) place(shape, p);
     }
 
     /// Every knot of the domain once, where the curve passes it.
@@ -181,6 +182,14 @@ void Bounds::add(const Vec3& p) noexcept {
     min = empty ? p : Vec3(std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z));
     max = empty ? p : Vec3(std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z));
     empty = false;
+}
+
+ControlPolygon controlPolygon(const Curve& curve) noexcept {
+    if (const auto* spline = curve.as<BsplineCurve>()) return {spline->points(), spline->closed()};
+    if (const auto* subdivision = curve.as<SubdivisionCurve>()) {
+        return {subdivision->subdivision().points, subdivision->closed()};
+    }
+    return {};
 }
 
 Drawing draw(const scene::State& state, const Options& options) {

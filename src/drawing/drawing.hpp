@@ -5,6 +5,7 @@
 #include "scene/colour.hpp"
 #include "scene/effects.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -62,6 +63,13 @@ struct Options {
     double tolerance = 1e-3;  ///< greatest chord error of polylines, world units
     bool dark = false;        ///< palette for a dark background
 };
+
+/// The polygon of the points that a curve is made from and is dragged by; none for other curves.
+struct ControlPolygon {
+    std::span<const Vec3> points{};
+    bool closed = false;
+};
+[[nodiscard]] ControlPolygon controlPolygon(const Curve& curve) noexcept;
 
 [[nodiscard]] Drawing draw(const scene::State& state, const Options& options);
 

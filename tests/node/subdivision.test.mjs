@@ -203,6 +203,9 @@ test('subdivision curves stand in scenes: drawn, edited and undone', () => {
     assert.deepEqual([object.levels, object.degree], [4, 3]);
     const drawn = () => scene.drawing().shapes.find(({ role }) => role === 'curve').positions.length / 3;
     assert.equal(drawn(), 4 * 16 + 1);
+    const { shapes } = scene.drawing();
+    assert.equal(shapes.find(({ role }) => role === 'polygon').positions.length, 3 * 5);
+    assert.equal(shapes.find(({ role }) => role === 'points').path, 'objects[0].points');
     scene.execute({ set: 'objects[0].levels', value: 5 });
     assert.equal(drawn(), 4 * 32 + 1);
     scene.execute({ set: 'objects[0].scheme', value: 'four-point' });
