@@ -68,6 +68,9 @@ export const curves = [
         type: 'blending-curve', bFunction: { family: 'linear' }, model: circle, form: 'closed',
         locals: { count: 3, kind: 'bezier', degree: 2 }, spacing: 'length',
     },
+    { type: 'subdivision-curve', scheme: 'lane-riesenfeld', points: polygon, closed: true, levels: 2, degree: 4 },
+    { type: 'subdivision-curve', scheme: 'chaikin', points: polygon, levels: 3 },
+    { type: 'subdivision-curve', scheme: 'four-point', points: polygon, closed: false, levels: 1, tension: 0.1 },
 ];
 
 export const scenes = [
@@ -101,7 +104,7 @@ export const methods = {
 };
 
 /** Methods that take nothing. */
-export const withoutArguments = ['dispose', 'undo', 'redo'];
+export const withoutArguments = ['dispose', 'undo', 'redo', 'limitPoints', 'limitTangents'];
 
 const codes = new Set([
     'WRONG_TYPE', 'WRONG_LENGTH', 'NOT_FINITE', 'NOT_INTEGER', 'OUT_OF_RANGE', 'TOO_LARGE', 'UNKNOWN_NAME', 'UNKNOWN_FIELD',

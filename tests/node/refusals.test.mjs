@@ -34,6 +34,7 @@ const samples = {
     LineCurve: kw.curve(curves[6]),
     ArcCurve: kw.curve(curves[7]),
     BlendingCurve: kw.curve(curves[8]),
+    SubdivisionCurve: kw.curve(curves[11]),
     Scene: kw.scene(scenes[0]),
 };
 
