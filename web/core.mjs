@@ -102,12 +102,25 @@ export class Core {
     send(value) {
         const encoder = this.#encoder.busy ? new Encoder() : this.#encoder;
         const bytes = encoder.encode(value);
-        if (bytes.length > this.#roomSize) {
-            this.#roomStart = this.call('room', 2 * bytes.length);
-            this.#roomSize = 2 * bytes.length;
-        }
+        this.#makeRoom(bytes.length);
         this.#module.HEAPU8.set(bytes, this.#roomStart);
         return bytes.length;
+    }
+
+    /**
+     * Puts numbers, as they are, where the next call reads them.
+     * @param {Float64Array} numbers
+     */
+    sendNumbers(numbers) {
+        this.#makeRoom(numbers.byteLength);
+        copyInto(this.#module.HEAPF64, numbers, this.#roomStart / 8);
+    }
+
+    /** @param {number} bytes */
+    #makeRoom(bytes) {
+        if (bytes <= this.#roomSize) return;
+        this.#roomStart = this.call('room', 2 * bytes);
+        this.#roomSize = 2 * bytes;
     }
 
     /**

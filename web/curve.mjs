@@ -3,6 +3,7 @@
 import {
     choice, copyInto, derivativeOrder, finite, integer, lengthOfNumbers, numbers, options, sampleCount, target,
 } from './check.mjs';
+import { boehmOrOslo, factorRows, matrixRows, refinedKnots, removal } from './bspline-curve.mjs';
 import { Held } from './held.mjs';
 import { basisTarget, fill, fillAt, fillBasis } from './samples.mjs';
 
@@ -160,6 +161,62 @@ export class BsplineCurve extends Curve {
         const { core, handle } = Held.of(this);
         const often = integer(times, 'times', 1, mostTimes);
         return adopt(core, core.ask('curveInsertKnot', handle, finite(t, 't'), often));
+    }
+
+    /**
+     * The same curve over a full vector of more knots (one period where closed).
+     * @param {ArrayLike<number>} knots
+     * @param {{ algorithm?: 'oslo' | 'boehm' }} [given]
+     */
+    refine(knots, given) {
+        const { core, handle } = Held.of(this);
+        const byBoehm = boehmOrOslo(options(given, ['algorithm']).algorithm);
+        const full = refinedKnots(knots);
+        core.sendNumbers(full);
+        return adopt(core, core.ask('curveRefine', handle, full.length, byBoehm));
+    }
+
+    /** The matrix of discrete B-splines: a row a point of the refined curve. @param {ArrayLike<number>} knots */
+    osloMatrix(knots) {
+        const { count, columns } = ask(this, 'osloMatrix', { knots });
+        return matrixRows(Held.of(this).core.bulk(count), columns);
+    }
+
+    /** Without one knot t, if that moves it little enough. @param {number} t @param {{ tolerance?: number }} [given] */
+    removeKnot(t, given) {
+        const { tolerance = 1e-9 } = options(given, ['tolerance']);
+        return removal(ask(this, 'removeKnot', { t, tolerance }));
+    }
+
+    /** The same curve with a higher degree. @param {number} [by] */
+    elevateDegree(by = 1) {
+        return ask(this, 'elevateDegree', { by }).curves[0];
+    }
+
+    /** The specification of a Bézier curve for each span. */
+    bezierPieces() {
+        return ask(this, 'bezierPieces', {}).pieces;
+    }
+
+    /** The matrices T₁ … T_d with which the curve is c(t) = T₁ … T_d c. @param {number} t */
+    factorMatrices(t) {
+        const { count } = ask(this, 'factorMatrices', { t });
+        return factorRows(Held.of(this).core.bulk(count));
+    }
+
+    /** The hodograph. */
+    derivativeCurve() {
+        return ask(this, 'derivativeCurve', {}).curves[0];
+    }
+
+    /** Before t and after it; a closed curve comes back as one that begins and ends at t. @param {number} t */
+    split(t) {
+        return ask(this, 'split', { t }).curves;
+    }
+
+    /** The same curve from its end to its start. */
+    reversed() {
+        return ask(this, 'reversed', {}).curves[0];
     }
 
     /** Row k: the k-th derivative of all n basis functions at t. @param {number} t @param {{ derivatives?: number }} [given] */

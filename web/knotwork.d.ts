@@ -277,6 +277,33 @@ export interface BsplineCurve extends Curve {
     controlPoints(options?: { into?: Float64Array }): Float64Array;
     /** The same curve with the knot t `times` times more (default once). */
     insertKnot(t: number, times?: number): BsplineCurve;
+    /**
+     * The same curve over the full refined vector `knots` (one period where closed): every knot as
+     * often as before or more often, up to degree + 1 times, and new ones inside the domain.
+     */
+    refine(knots: Numbers, options?: { algorithm?: 'oslo' | 'boehm' }): BsplineCurve;
+    /** The discrete B-splines of that refinement: a row a new point, a column an old one. */
+    osloMatrix(knots: Numbers): number[][];
+    /**
+     * Takes one knot t out if no point of the curve moves farther than the tolerance (default 1e-9).
+     * The deviation bounds what moves, at most 5 % above the maximum; Infinity where no curve is left.
+     */
+    removeKnot(t: number, options?: { tolerance?: number }): { curve: BsplineCurve; deviation: number; removed: boolean };
+    /** The same curve as one of a higher degree (default by 1). */
+    elevateDegree(by?: number): BsplineCurve;
+    /** One Bézier curve for each span that is not empty, with its interval as `domain`. */
+    bezierPieces(): BezierCurveSpec[];
+    /** T₁ … T_d at t, T_k of k rows of k + 1: their product with the active points is the point. */
+    factorMatrices(t: number): number[][][];
+    /**
+     * The exact derivative over the same domain: of degree d − 1; of degree 1 with a gap at each
+     * knot where d is 1; of degree 2d where the curve is rational (NOT_SUPPORTED beyond degree 12).
+     */
+    derivativeCurve(): BsplineCurve;
+    /** Before t and after t; a closed curve as one clamped curve over [t, t + period]. */
+    split(t: number): [BsplineCurve] | [BsplineCurve, BsplineCurve];
+    /** The same points over the same domain, from the end to the start. */
+    reversed(): BsplineCurve;
     /** Row k: the k-th derivative of all n basis functions. */
     basis(t: number, options?: { derivatives?: number }): number[][];
     /**

@@ -51,6 +51,7 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("curveGrevilles", &Session::curveGrevilles)
         .function("curveControlPoints", &Session::curveControlPoints)
         .function("curveInsertKnot", &Session::curveInsertKnot)
+        .function("curveRefine", &Session::curveRefine)
         .function("curveBasis", &Session::curveBasis)
         .function("curveBasisAt", &Session::curveBasisAt)
         .function("curveBlendBasis", &Session::curveBlendBasis)

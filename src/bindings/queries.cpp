@@ -7,8 +7,8 @@ namespace knotwork::bindings {
 
 namespace {
 
-std::array<std::span<const CurveQuery>, 1> curveTopics() noexcept {
-    return {subdivisionQueries()};
+std::array<std::span<const CurveQuery>, 2> curveTopics() noexcept {
+    return {bsplineQueries(), subdivisionQueries()};
 }
 constexpr std::array<std::span<const FreeQuery>, 0> freeTopics{};
 

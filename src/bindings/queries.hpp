@@ -39,6 +39,7 @@ struct FreeQuery {
 };
 
 // Each of these stands in a file of its own: queries_<topic>.cpp.
+[[nodiscard]] std::span<const CurveQuery> bsplineQueries() noexcept;
 [[nodiscard]] std::span<const CurveQuery> subdivisionQueries() noexcept;
 
 /// All of them, for the session.

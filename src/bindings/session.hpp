@@ -109,6 +109,8 @@ public:
     /// bulk: x, y, z of the control points. Answers how many, or -1.
     [[nodiscard]] int curveControlPoints(int handle);
     [[nodiscard]] int curveInsertKnot(int handle, double t, int times);
+    /// The input is the full refined vector, `count` doubles as they stand in memory.
+    [[nodiscard]] int curveRefine(int handle, unsigned count, bool byBoehm);
     /// bulk: derivatives+1 rows of n numbers. Answers n, or -1.
     [[nodiscard]] int curveBasis(int handle, double t, int derivatives);
     /// block: the d+1 functions that are not zero at each of the first `count` of parameters(),

@@ -6,6 +6,7 @@
 #include "geometry/refinement.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace knotwork::bindings {
 
@@ -53,6 +54,17 @@ int Session::curveInsertKnot(int handle, double t, int times) {
     const auto* spline = findBspline(handle);
     if (!spline) return 0;
     auto refined = insertKnot(*spline, t, times);
+    if (!refined) return refuse(refined.error());
+    return holdCurve({Curve(std::move(*refined)), std::nullopt, std::nullopt, {}});
+}
+
+int Session::curveRefine(int handle, unsigned count, bool byBoehm) {
+    const auto* spline = findBspline(handle);
+    if (!spline) return 0;
+    std::vector<double> knots(std::min<std::size_t>(count, room_.size() / sizeof(double)));
+    std::memcpy(knots.data(), room_.data(), knots.size() * sizeof(double));
+    auto refined = byBoehm ? refineByBoehm(*spline, std::move(knots))
+                           : refineByOslo1(*spline, std::move(knots));
     if (!refined) return refuse(refined.error());
     return holdCurve({Curve(std::move(*refined)), std::nullopt, std::nullopt, {}});
 }

@@ -1,8 +1,8 @@
 #include "geometry/refinement.hpp"
 
-#include "geometry/bspline_kernels.hpp"
-
-#include <glm/vec4.hpp>
+#include "geometry/boehm.hpp"
+#include "geometry/homogeneous.hpp"
+#include "geometry/oslo.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,65 +14,7 @@ namespace knotwork {
 
 namespace {
 
-using Homogeneous = glm::dvec4;  // (w x, w y, w z, w); w = 1 without weights
-
-std::vector<Homogeneous> homogeneousPoints(const BsplineCurve& curve) {
-    std::vector<Homogeneous> points;
-    points.reserve(curve.points().size());
-    for (std::size_t i = 0; i < curve.points().size(); ++i) {
-        const double weight = curve.weights().empty() ? 1 : curve.weights()[i];
-        points.emplace_back(weight * curve.points()[i], weight);
-    }
-    return points;
-}
-
-Homogeneous blend(const Homogeneous& from, const Homogeneous& to, double a) noexcept {
-    return (1 - a) * from + a * to;
-}
-
-// b_i is c_i up to s-d, c_{i-1} from the first knot equal to t on (there a_i = 0, and c_i may lie
-// past the last point), and a blend between.
-std::vector<Homogeneous> insertedPoints(std::span<const double> knots, std::size_t degree,
-                                        std::size_t span, std::span<const Homogeneous> points,
-                                        double t) {
-    std::vector<Homogeneous> refined(points.size() + 1);
-    for (std::size_t i = 0; i < refined.size(); ++i) {
-        if (i + degree <= span) {
-            refined[i] = points[i];
-        } else if (knots[i] >= t) {
-            refined[i] = points[i - 1];
-        } else {
-            refined[i] = blend(points[i - 1], points[i], kernels::weight(knots, degree, i, t));
-        }
-    }
-    return refined;
-}
-
-// The d blended points s-d+1 … s and the n+1-d that follow them are one period of the refined
-// polygon; indices of either polygon wrap.
-std::vector<Homogeneous> insertedPeriod(std::span<const double> knots, std::size_t degree,
-                                        std::size_t span, std::span<const Homogeneous> points,
-                                        double t) {
-    const std::size_t n = points.size();
-    std::vector<Homogeneous> refined(n + 1);
-    const std::size_t first = span - degree + 1;
-    for (std::size_t i = first; i <= first + n; ++i) {
-        const Homogeneous& before = points[(i - 1) % n];
-        refined[i % (n + 1)] =
-            i > span ? before : blend(before, points[i % n], kernels::weight(knots, degree, i, t));
-    }
-    return refined;
-}
-
-std::vector<Homogeneous> insertedOnce(const KnotVector& knots, std::span<const Homogeneous> points,
-                                      double t) {
-    const auto all = knots.extended();
-    const auto degree = static_cast<std::size_t>(knots.degree());
-    const auto after = std::upper_bound(all.begin(), all.end(), t) - all.begin();
-    const std::size_t span = static_cast<std::size_t>(after) - 1;
-    return knots.closed() ? insertedPeriod(all, degree, span, points, t)
-                          : insertedPoints(all, degree, span, points, t);
-}
+using MaybeError = std::optional<Error>;
 
 Result<KnotVector> withKnot(const KnotVector& knots, double t) {
     std::vector<double> more(knots.knots().begin(), knots.knots().end());
@@ -80,7 +22,7 @@ Result<KnotVector> withKnot(const KnotVector& knots, double t) {
     return KnotVector::make(std::move(more), knots.degree(), knots.pointCount() + 1, knots.form());
 }
 
-std::optional<Error> checkInsertion(const KnotVector& knots, double t, int times) {
+MaybeError checkInsertion(const KnotVector& knots, double t, int times) {
     if (!std::isfinite(t)) {
         return refuse(Code::notFinite, "t", formatNumber(t) + " is not a finite parameter");
     }
@@ -109,21 +51,101 @@ std::optional<Error> checkInsertion(const KnotVector& knots, double t, int times
     return {};
 }
 
-Result<BsplineCurve> curveOf(KnotVector knots, std::span<const Homogeneous> refined,
-                             const BsplineCurve& original) {
-    std::vector<Vec3> points;
-    std::vector<double> weights;
-    points.reserve(refined.size());
-    for (const Homogeneous& point : refined) {
-        if (original.weights().empty()) {
-            points.emplace_back(point);
-        } else {
-            points.push_back(Vec3(point) / point.w);
-            weights.push_back(point.w);
+MaybeError checkRefinedCount(const KnotVector& knots, std::size_t given) {
+    const std::size_t before = knots.knots().size();
+    if (given < before) {
+        return refuse(Code::knotsCount, "knots",
+                      std::to_string(given) + " knots given; a refinement is the full vector and "
+                          "has at least the " + std::to_string(before) + " knots of the curve");
+    }
+    const std::size_t most = KnotVector::knotCount(knots.degree(), maxPointCount, knots.form());
+    if (given > most) {
+        return refuse(Code::tooLarge, "knots",
+                      std::to_string(given) + " knots given; the curve would have more than "
+                          "100000 points");
+    }
+    return {};
+}
+
+Error refuseMissing(const KnotVector& knots, double knot, std::size_t place) {
+    return refuse(Code::knotsMultiplicity, indexed("knots", place),
+                  "the knot " + formatNumber(knot) + " of the curve is missing here: its "
+                      "multiplicity is " + std::to_string(knots.multiplicity(knot)) +
+                      ", and a refinement keeps it");
+}
+
+Error refuseOutside(const Interval& domain, double knot, std::size_t place) {
+    return refuse(Code::outOfRange, indexed("knots", place),
+                  formatNumber(knot) + " is new and lies outside the domain [" +
+                      formatNumber(domain.start) + ", " + formatNumber(domain.end) +
+                      "]; a refinement adds knots inside only");
+}
+
+/// A part of a refined vector, which is looked for the knots of a part of the old one.
+struct Part {
+    std::span<const double> knots;
+    std::size_t place = 0;  ///< where it begins in the whole vector
+};
+
+// Both lists ascend: what stands in `after` besides `before` is new.
+MaybeError checkContains(const KnotVector& knots, std::span<const double> before,
+                         const Part& after) {
+    const Interval domain = knots.domain();
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < after.knots.size(); ++i) {
+        const double knot = after.knots[i];
+        if (found < before.size() && knot == before[found]) {
+            ++found;
+        } else if (found < before.size() && knot > before[found]) {
+            return refuseMissing(knots, before[found], after.place + i);
+        } else if (!domain.contains(knot)) {
+            return refuseOutside(domain, knot, after.place + i);
         }
     }
-    return BsplineCurve::make(std::move(knots), std::move(points), original.dimension(),
-                              std::move(weights));
+    if (found == before.size()) return {};
+    return refuseMissing(knots, before[found], after.place + after.knots.size() - 1);
+}
+
+Part withoutSeam(std::span<const double> period) {
+    const auto first = std::upper_bound(period.begin(), period.end(), period.front());
+    const auto last = std::lower_bound(first, period.end(), period.back());
+    const auto place = static_cast<std::size_t>(first - period.begin());
+    return {period.subspan(place, static_cast<std::size_t>(last - first)), place};
+}
+
+// A knot at the seam may be repeated at either end of a period; the ends themselves stay.
+MaybeError checkContainsPeriod(const KnotVector& knots, std::span<const double> after,
+                               int afterAtSeam) {
+    const Interval domain = knots.domain();
+    for (const std::size_t i : {std::size_t{0}, after.size() - 1}) {
+        const double end = i == 0 ? domain.start : domain.end;
+        if (after[i] == end) continue;
+        return refuse(Code::outOfRange, indexed("knots", i),
+                      formatNumber(after[i]) + " is not the end " + formatNumber(end) +
+                          " of the period; a refinement begins and ends where the curve does");
+    }
+    const Part inner = withoutSeam(after);
+    if (afterAtSeam < knots.multiplicity(domain.start)) {
+        return refuseMissing(knots, domain.start, inner.place);
+    }
+    return checkContains(knots, withoutSeam(knots.knots()).knots, inner);
+}
+
+Result<BsplineCurve> curveOver(KnotVector refined, std::span<const Homogeneous> points,
+                               const BsplineCurve& curve) {
+    return fromHomogeneous(std::move(refined), points, curve.dimension(),
+                           !curve.weights().empty());
+}
+
+using Algorithm = std::vector<Homogeneous> (*)(const KnotVector&, const KnotVector&,
+                                               std::span<const Homogeneous>);
+
+Result<BsplineCurve> refineBy(Algorithm algorithm, const BsplineCurve& curve,
+                              std::vector<double> knots) {
+    auto refined = refinedKnots(curve.knotVector(), std::move(knots));
+    if (!refined) return refined.error();
+    const auto points = algorithm(curve.knotVector(), *refined, homogeneousPoints(curve));
+    return curveOver(std::move(*refined), points, curve);
 }
 
 }  // namespace
@@ -134,12 +156,42 @@ Result<BsplineCurve> insertKnot(const BsplineCurve& curve, double t, int times) 
     const double inside = knots.wrap(t);
     std::vector<Homogeneous> points = homogeneousPoints(curve);
     for (int i = 0; i < times; ++i) {
-        points = insertedOnce(knots, points, inside);
+        points = boehmOnce(knots, points, inside);
         auto more = withKnot(knots, inside);
         if (!more.ok()) return refuse(more.error().code, "t", more.error().message);
         knots = std::move(more).value();
     }
-    return curveOf(std::move(knots), points, curve);
+    return curveOver(std::move(knots), points, curve);
+}
+
+Result<KnotVector> refinedKnots(const KnotVector& knots, std::vector<double> refined) {
+    if (auto error = checkRefinedCount(knots, refined.size())) return *std::move(error);
+    const std::size_t more = refined.size() - knots.knots().size();
+    auto made = KnotVector::make(std::move(refined), knots.degree(),
+                                 knots.pointCount() + static_cast<int>(more), knots.form());
+    if (!made) return made.error();
+    const auto after = made->knots();
+    auto error = knots.closed()
+                     ? checkContainsPeriod(knots, after, made->multiplicity(after.front()))
+                     : checkContains(knots, knots.knots(), {after});
+    if (error) return *std::move(error);
+    return made;
+}
+
+Result<BsplineCurve> refineByOslo1(const BsplineCurve& curve, std::vector<double> knots) {
+    if (!curve.weights().empty()) return refineBy(oslo1, curve, std::move(knots));
+    auto refined = refinedKnots(curve.knotVector(), std::move(knots));
+    if (!refined) return refined.error();
+    auto points = oslo1(curve.knotVector(), *refined, curve.points());
+    return BsplineCurve::make(std::move(*refined), std::move(points), curve.dimension());
+}
+
+Result<BsplineCurve> refineByOslo2(const BsplineCurve& curve, std::vector<double> knots) {
+    return refineBy(oslo2, curve, std::move(knots));
+}
+
+Result<BsplineCurve> refineByBoehm(const BsplineCurve& curve, std::vector<double> knots) {
+    return refineBy(boehm, curve, std::move(knots));
 }
 
 }  // namespace knotwork

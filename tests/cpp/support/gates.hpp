@@ -7,7 +7,9 @@ namespace knotwork::test::gates {
 inline constexpr double exact = 1e-14;  // against fractions
 inline constexpr double partitionOfUnity = 1e-14;
 inline constexpr double basisAgainstDeBoor = 2e-14;
+inline constexpr double osloAgainstBoehm = 2e-14;
 inline constexpr double refinement = 5e-14;
+inline constexpr double removal = 5e-13;  // of a knot that was inserted: the inverse of a refinement
 inline constexpr double complexStep = 1e-10;
 // Derivatives of a rational spline on the two sides of a knot, weights from 0.25 to 3.
 inline constexpr double rationalJumps = 1e-11;

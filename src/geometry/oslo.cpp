@@ -1,0 +1,117 @@
+#include "geometry/oslo.hpp"
+
+#include "geometry/oslo_kernels.hpp"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace knotwork {
+
+namespace {
+
+template <class Degree, class Point>
+void oslo1Into(Degree degree, const OsloKnots& knots, const KnotVector& refined,
+               std::span<const Point> ordered, std::span<Point> out) noexcept {
+    const std::span<const double> tau = knots.all();
+    forEachOsloRow(knots, refined, [&](std::size_t j, std::size_t span, auto arguments) {
+        std::array<double, maxDegree + 1> weights;
+        kernels::discreteBsplines<double>(tau, degree, span, arguments, weights);
+        const Point* active = ordered.data() + (span - degree);
+        Point sum = weights[0] * active[0];
+        for (std::size_t k = 1; k <= degree; ++k) sum += weights[k] * active[k];
+        out[j] = sum;
+    });
+}
+
+// Degrees known to the compiler: its loops over two to six weights are unrolled.
+template <class Point>
+std::vector<Point> oslo1Points(const KnotVector& coarse, const KnotVector& refined,
+                               std::span<const Point> points) {
+    const OsloKnots knots(coarse);
+    const std::vector<Point> ordered = knots.inOrder(points);
+    std::vector<Point> out(static_cast<std::size_t>(refined.pointCount()));
+    const auto run = [&](auto degree) {
+        oslo1Into<decltype(degree), Point>(degree, knots, refined, ordered, out);
+    };
+    switch (knots.degree()) {
+        case 1: run(std::integral_constant<std::size_t, 1>{}); break;
+        case 2: run(std::integral_constant<std::size_t, 2>{}); break;
+        case 3: run(std::integral_constant<std::size_t, 3>{}); break;
+        case 4: run(std::integral_constant<std::size_t, 4>{}); break;
+        case 5: run(std::integral_constant<std::size_t, 5>{}); break;
+        default: run(knots.degree());
+    }
+    return out;
+}
+
+}  // namespace
+
+OsloKnots::OsloKnots(const KnotVector& knots)
+    : all_(knots.extended()),
+      degree_(static_cast<std::size_t>(knots.degree())),
+      count_(static_cast<std::size_t>(knots.pointCount())),
+      closed_(knots.closed()) {
+    if (closed_) after_ = degree_;
+    if (knots.form() != Form::open) return;
+    before_ = degree_;
+    after_ = degree_;
+    const double step = knots.period();
+    own_.reserve(all_.size() + 2 * degree_);
+    for (std::size_t i = degree_; i >= 1; --i) {
+        own_.push_back(all_.front() - step * static_cast<double>(i));
+    }
+    own_.insert(own_.end(), all_.begin(), all_.end());
+    for (std::size_t i = 1; i <= degree_; ++i) {
+        own_.push_back(all_.back() + step * static_cast<double>(i));
+    }
+    all_ = own_;
+}
+
+std::size_t OsloKnots::pointOf(std::size_t i) const noexcept {
+    if (closed_) return i < count_ ? i : i - count_;
+    return std::min(i > before_ ? i - before_ : 0, count_ - 1);
+}
+
+std::vector<double> osloMatrix(const KnotVector& coarse, const KnotVector& refined) {
+    const OsloKnots knots(coarse);
+    const std::size_t degree = knots.degree();
+    const auto columns = static_cast<std::size_t>(coarse.pointCount());
+    std::vector<double> matrix(columns * static_cast<std::size_t>(refined.pointCount()));
+    forEachOsloRow(knots, refined, [&](std::size_t j, std::size_t span, auto arguments) {
+        std::array<double, maxDegree + 1> weights;
+        kernels::discreteBsplines<double>(knots.all(), degree, span, arguments, weights);
+        for (std::size_t k = 0; k <= degree; ++k) {
+            matrix[j * columns + knots.pointOf(span - degree + k)] += weights[k];
+        }
+    });
+    return matrix;
+}
+
+std::vector<Vec3> oslo1(const KnotVector& knots, const KnotVector& refined,
+                        std::span<const Vec3> points) {
+    return oslo1Points(knots, refined, points);
+}
+
+std::vector<Homogeneous> oslo1(const KnotVector& knots, const KnotVector& refined,
+                               std::span<const Homogeneous> points) {
+    return oslo1Points(knots, refined, points);
+}
+
+std::vector<Homogeneous> oslo2(const KnotVector& coarse, const KnotVector& refined,
+                               std::span<const Homogeneous> points) {
+    const OsloKnots knots(coarse);
+    const std::size_t degree = knots.degree();
+    const std::vector<Homogeneous> ordered = knots.inOrder(points);
+    std::vector<Homogeneous> out(static_cast<std::size_t>(refined.pointCount()));
+    forEachOsloRow(knots, refined, [&](std::size_t j, std::size_t span, auto arguments) {
+        std::array<Homogeneous, maxDegree + 1> active;
+        std::copy_n(ordered.begin() + static_cast<std::ptrdiff_t>(span - degree), degree + 1,
+                    active.begin());
+        out[j] = kernels::blossom<double, Homogeneous>(knots.all(), degree, span, arguments,
+                                                       active);
+    });
+    return out;
+}
+
+}  // namespace knotwork
