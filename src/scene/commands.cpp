@@ -1,11 +1,11 @@
 #include "scene/commands.hpp"
 
-#include "geometry/refinement.hpp"
 #include "scene/adaptation.hpp"
 #include "scene/blending_specs.hpp"
 #include "scene/document.hpp"
 #include "scene/edits.hpp"
 #include "scene/json_values.hpp"
+#include "scene/knot_edits.hpp"
 #include "scene/path.hpp"
 #include "scene/specs.hpp"
 #include "scene/validation.hpp"
@@ -111,36 +111,6 @@ Json dressed(Json spec, const Object& object) {
     return full;
 }
 
-Result<Json> withKnotInserted(const Object& object, double at) {
-    if (const auto* spline = object.curve.as<BsplineCurve>()) {
-        const auto refined = insertKnot(*spline, at, 1);
-        if (!refined) return refined.error().under("insertKnot.at");
-        return dressed(specOf(*refined), object);
-    }
-    const auto* blend = object.curve.as<BlendingCurve>();
-    if (blend == nullptr || blend->model() == nullptr) {
-        return refuse(Code::notSupported, "insertKnot.object",
-                      "Knots are inserted into B-spline curves and into blending curves that are "
-                      "cut from a model; \"" + object.id + "\" is neither.");
-    }
-    std::vector<double> knots = blend->knots();
-    if (!(at > knots.front() && at < knots.back())) {
-        return refuse(Code::outOfRange, "insertKnot.at",
-                      formatNumber(at) + " does not lie inside the domain [" +
-                          formatNumber(knots.front()) + ", " + formatNumber(knots.back()) + "].");
-    }
-    const auto place = std::upper_bound(knots.begin(), knots.end(), at);
-    const auto index = static_cast<double>(place - knots.begin());
-    knots.insert(place, at);
-    Json spec = object.spec;
-    spec["knots"] = listOf(knots);
-    spec["locals"]["count"] = static_cast<double>(blend->locals().size() + 1);
-    for (Json& pose : spec["poses"]) {
-        if (numberOr(pose, "local", 0) >= index) pose["local"] = numberOr(pose, "local", 0) + 1;
-    }
-    return spec;
-}
-
 /// Whether the command moves a knot of a blending curve whose local curves are to stay.
 Result<bool> keepsLocals(const State& state, const Path& path, const Json& command) {
     const Json* recut = member(command, "recut");
@@ -197,8 +167,12 @@ Result<Executed> executeInsertKnot(const State& state, const Json& arguments) {
     if (!std::isfinite(at->get<double>())) {
         return refuse(Code::notFinite, "insertKnot.at", "The knot must be a finite number.");
     }
-    auto spec = withKnotInserted(*state.objects[*i], at->get<double>());
-    if (!spec) return spec.error();
+    auto spec = withKnot(state.objects[*i]->spec, at->get<double>());
+    if (!spec) {
+        const bool unsuited = spec.error().code == Code::notSupported;
+        return refuse(spec.error().code, unsuited ? "insertKnot.object" : "insertKnot.at",
+                      spec.error().message);
+    }
     auto next = withObject(state, *i, *spec);
     if (!next) return next.error();
     return Executed{std::move(*next), {"insertKnot", indexed("objects", *i) + ".knots"}};
@@ -310,7 +284,12 @@ Result<State> executeAt(const State& state, std::string_view verb, const Path& p
     return changeAt(state, path, [&](const Json& part, std::span<const PathStep> rest) {
         if (verb == "set") return setIn(part, rest, *value);
         if (verb == "move") return moveIn(part, rest, command);
-        return verb == "insert" ? insertIn(part, rest, *value) : removeIn(part, rest);
+        const bool knots = leadsToKnots(part, rest);
+        if (verb == "insert") {
+            return knots ? insertKnotIn(part, rest, *value) : insertIn(part, rest, *value);
+        }
+        // Without an index it is the whole list that goes, and the default comes back.
+        return knots && rest.back().isIndex() ? removeKnotIn(part, rest) : removeIn(part, rest);
     });
 }
 

@@ -279,7 +279,7 @@ TEST(Commands, BadOnesAreRefusedAndChangeNothing) {
     expectRefused(scene, R"({"pose": {"object": "blend", "local": 0.5}})", Code::notInteger,
                   "pose.local");
     expectRefused(scene, R"({"insertKnot": {"object": "c1", "at": 9}})", Code::outOfRange,
-                  "insertKnot.at.t");
+                  "insertKnot.at");
     expectRefused(scene, R"({"set": "effects[0].target", "value": "c1"})", Code::notSupported,
                   "effects[0].kind");
     expectRefused(scene, R"({"set": "objects[0].degree", "value": 3, "gesture": 4})",

@@ -1,0 +1,29 @@
+// Knots put in and taken out by commands. The numbers of a knot vector do not stand alone: points
+// (or local curves) come and go with them.
+#pragma once
+
+#include "scene/path.hpp"
+
+namespace knotwork::scene {
+
+/// Whether `rest` leads from `part` to the knots of a curve, or to one of them: `knots`, `knots[3]`,
+/// `model.knots[3]`.
+[[nodiscard]] bool leadsToKnots(const Json& part, std::span<const PathStep> rest);
+
+/// The specification of a curve with the knot `at` in it. A B-spline curve does not move; a blending
+/// curve that is cut from a model gets a local curve there. Refusals at `t`, as those of
+/// knotwork::insertKnot(), and NOT_SUPPORTED for curves without a model or without knots.
+[[nodiscard]] Result<Json> withKnot(const Json& curve, double at);
+
+/// `part` with the knot `value` in the curve that `rest` leads to, wherever in the list it belongs.
+/// WRONG_TYPE for what is no number; refusals are those of withKnot() at the path of the list.
+[[nodiscard]] Result<Json> insertKnotIn(const Json& part, std::span<const PathStep> rest,
+                                        const Json& value);
+
+/// `part` without the knot to which `rest`, which ends in an index, leads: of a B-spline curve, the curve with one knot less
+/// that comes nearest; of a blending curve, with its local curve. Refusals at that path:
+/// UNKNOWN_FIELD for a knot that is not there; OUT_OF_RANGE for one that ends the domain or period, or
+/// without which a rational curve would have a weight that is not positive; KNOTS_COUNT.
+[[nodiscard]] Result<Json> removeKnotIn(const Json& part, std::span<const PathStep> rest);
+
+}  // namespace knotwork::scene
