@@ -10,13 +10,56 @@ namespace knotwork {
 
 namespace {
 
+/// What all rows of a span share: for each level k and each i the knots between which w_{k,i} grows
+/// from 0 to 1, and the factor of its growth. Quotients cost more than all the rest of a row.
+class SpanFactors {
+public:
+    void prepare(std::span<const double> knots, std::size_t degree, std::size_t span) noexcept {
+        Ramp* ramp = ramps_.data();
+        for (std::size_t k = 1; k <= degree; ++k) {
+            for (std::size_t i = span + 1 - k; i <= span; ++i) {
+                *ramp++ = {knots[i], knots[i + k], 1 / (knots[i + k] - knots[i])};
+            }
+        }
+    }
+
+    /// As kernels::discreteBsplines(), with weights that are exact at both knots.
+    template <class Degree>
+    void weights(Degree degree, const double* arguments, double* values) const noexcept {
+        const Ramp* ramp = ramps_.data();
+        values[0] = 1;
+        for (std::size_t k = 1; k <= degree; ++k) {
+            const double t = arguments[k - 1];
+            double carried = 0;
+            for (std::size_t j = 0; j < k; ++j, ++ramp) {
+                const double w = t >= ramp->to ? 1 : (t - ramp->from) * ramp->growth;
+                const double lower = values[j];
+                values[j] = carried + (1 - w) * lower;
+                carried = w * lower;
+            }
+            values[k] = carried;
+        }
+    }
+
+private:
+    struct Ramp {
+        double from;
+        double to;
+        double growth;
+    };
+    std::array<Ramp, maxDegree*(maxDegree + 1) / 2> ramps_{};
+};
+
 template <class Degree, class Point>
 void oslo1Into(Degree degree, const OsloKnots& knots, const KnotVector& refined,
                std::span<const Point> ordered, std::span<Point> out) noexcept {
-    const std::span<const double> tau = knots.all();
+    SpanFactors factors;
+    std::size_t prepared = 0;  // no span of a curve: the first is that of its degree
     forEachOsloRow(knots, refined, [&](std::size_t j, std::size_t span, auto arguments) {
+        if (span != prepared) factors.prepare(knots.all(), degree, span);
+        prepared = span;
         std::array<double, maxDegree + 1> weights;
-        kernels::discreteBsplines<double>(tau, degree, span, arguments, weights);
+        factors.weights(degree, arguments.data(), weights.data());
         const Point* active = ordered.data() + (span - degree);
         Point sum = weights[0] * active[0];
         for (std::size_t k = 1; k <= degree; ++k) sum += weights[k] * active[k];

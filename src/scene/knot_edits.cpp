@@ -33,6 +33,11 @@ Json withShapeOf(const Json& curve, const BsplineCurve& shape) {
 
 // --- blending curves --------------------------------------------------------------------------
 
+/// Knots that were spaced by length are so no more.
+void spaceByKnots(Json& curve) {
+    if (member(curve, "spacing") != nullptr) curve["spacing"] = "parameter";
+}
+
 /// Poses of local curves from `first` on move by `step`.
 void renumberPoses(Json& curve, double first, double step) {
     Json* poses = const_cast<Json*>(member(curve, "poses"));
@@ -56,6 +61,7 @@ Result<Json> withLocalAt(const Json& curve, const BlendingCurve& blend, double a
     Json changed = curve;
     changed["knots"] = listOf(knots);
     changed["locals"]["count"] = static_cast<double>(blend.locals().size() + 1);
+    spaceByKnots(changed);
     renumberPoses(changed, index, 1);
     return changed;
 }
@@ -82,6 +88,7 @@ Result<Json> withoutLocal(const Json& curve, const BlendingCurve& blend, std::si
         }
         *poses = std::move(kept);
     }
+    spaceByKnots(changed);
     renumberPoses(changed, gone, -1);
     return changed;
 }
