@@ -63,6 +63,8 @@ export const curves = [
         type: 'blending-curve', bFunction: { family: 'logistic' }, model: circle, form: 'open', locals: { count: 3 },
         poses: [{ local: 1, translate: [1, 0, 0], rotate: { axis: [0, 0, 1], angle: 1 }, scale: [1, 2, 1] }],
     },
+    { type: 'blending-curve', bFunction: { family: 'polynomial' }, model: circle, form: 'open', locals: { count: 3, kind: 'bezier', degree: 2 } },
+    { type: 'blending-curve', bFunction: { family: 'linear' }, model: circle, locals: { count: 4, kind: 'arc' }, spacing: 'length' },
     { type: 'blending-curve', bFunction: { family: 'linear' }, locals: [circle, circle], knots: [0, 6], form: 'open' },
     {
         type: 'blending-curve', bFunction: { family: 'linear' }, model: circle, form: 'closed',

@@ -1,0 +1,71 @@
+// Ten mistakes that somebody could make, each with the test that must see it. `find` stands exactly
+// once in `file`; where it does not any more, the mutant has to be written anew.
+
+/** @typedef {{ name: string, file: string, find: string, replace: string, test: string }} Mutant */
+
+/** @type {Mutant[]} */
+export const mutants = [
+    {
+        name: 'right end: the last parameter belongs to no span',
+        file: 'knot_vector.cpp',
+        find: 'const bool fromLeft = t >= all.end ||',
+        replace: 'const bool fromLeft = t > all.end ||',
+        test: 'KnotVector.FindsTheSpanOnEitherSideOfEveryKnot',
+    },
+    {
+        name: 'shifted index: an inserted knot blends the neighbours to the right',
+        file: 'refinement.cpp',
+        find: 'blend(before, points[i % n],',
+        replace: 'blend(points[i % n], points[(i + 1) % n],',
+        test: 'RefinementProperty.InsertingAKnotDoesNotMoveTheCurve',
+    },
+    {
+        name: 'missing 1/2: B plus its dual is not halved',
+        file: 'b_function_algebra.cpp',
+        find: 'rows[k] = 0.5 * (rows[k] + mirrored[k])',
+        replace: 'rows[k] = rows[k] + mirrored[k]',
+        test: 'BFunctionProperty.DifferencesAreIntegralsOfTheDerivatives',
+    },
+    {
+        name: 'degree for order: the factor of a derivative',
+        file: 'bspline_kernels.hpp',
+        find: 'values[j] * Knot(static_cast<int>(k)) /',
+        replace: 'values[j] * Knot(static_cast<int>(k) + 1) /',
+        test: 'SplineProperty.FirstDerivativesAgreeWithTheComplexStepThroughDeBoorsAlgorithm',
+    },
+    {
+        name: 'sin²(πt) instead of sin²(πt/2)',
+        file: 'b_function_families.cpp',
+        find: 'const double s = std::sin(0.5 * pi * t);\n        const double c = std::cos(0.5 * pi * t);',
+        replace: 'const double s = std::sin(pi * t);\n        const double c = std::cos(pi * t);',
+        test: 'BFunctionProperty.RisesFromZeroToOneAndNeverLeavesThem',
+    },
+    {
+        name: 'B′ without 1/h: derivatives of a blend forget the length of the span',
+        file: 'blending_curve.cpp',
+        find: 'power /= span.length;',
+        replace: 'power /= 1;',
+        test: 'BlendingProperty.DifferencesWithinASpanAreIntegralsOfTheDerivatives',
+    },
+    {
+        name: 'closed local not shifted: the last span takes the first local where it stands',
+        file: 'blending_curve.cpp',
+        find: 'wraps ? period : 0, t};',
+        replace: 'wraps ? 0 * period : 0, t};',
+        test: 'BlendingCurve.AClosedCurveEvaluatesItsFirstLocalOnePeriodEarlierInTheLastSpan',
+    },
+    {
+        name: 'tolerance ignored: every polyline is as coarse as one hundredth',
+        file: 'tessellation.cpp',
+        find: '<= tolerance)) return false;',
+        replace: '<= 0.01 + 0 * tolerance)) return false;',
+        test: 'Polyline.HonoursItsToleranceFromOneToTenBillionths',
+    },
+    {
+        name: 'wrong side at a knot: derivatives from the left are those from the right',
+        file: 'bspline_curve.cpp',
+        find: 'const std::size_t span = knots_.findSpan(inside, side);',
+        replace: 'const std::size_t span = knots_.findSpan(inside);',
+        test: 'SplineProperty.TheBasisFormAgreesWithDeBoorsAlgorithmFromBothSides',
+    },
+];
