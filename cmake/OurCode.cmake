@@ -25,6 +25,9 @@ if(KNOTWORK_SANITIZE)
         -fno-omit-frame-pointer -g1)
     add_link_options(-fsanitize=address,undefined)
 endif()
+if(KNOTWORK_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
 
 # knotwork_optimise(sources fast): how the sources of a target are optimised for wasm.
 #

@@ -22,6 +22,10 @@ have_imgui() { # apt also supplies these sources: tools/fetch-imgui.sh
     [ -n "${KNOTWORK_IMGUI_DIR:-}" ] || command -v apt-get || test -e build/third-party/imgui/imgui.h
 }
 
+have_libfuzzer() {
+    folder=$(clang++ -print-resource-dir) && first_file "$folder"/lib/*/libclang_rt.fuzzer*
+}
+
 have_chromium() {
     [ -n "${KNOTWORK_CHROMIUM:-}" ] || command -v chromium >/dev/null
 }
@@ -46,6 +50,7 @@ LIST
     native) cat <<'LIST' ;;
 g++|command -v g++|g++ in PATH
 clang|command -v clang++|clang++ in PATH
+libclang-rt-dev|have_libfuzzer|clang's sanitizers and libFuzzer (libclang_rt.fuzzer in clang's own folder)
 libgtest-dev|have_header gtest/gtest.h|GoogleTest's gtest/gtest.h in /usr/include or /usr/local/include
 librapidcheck-dev|have_header rapidcheck.h|rapidcheck.h in /usr/include or /usr/local/include
 LIST

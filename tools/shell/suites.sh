@@ -83,13 +83,16 @@ run_suite() {
             google_suite sanitizers build/native-san/knotwork_tests
         else not_built sanitizers; fi
         ;;
+    fuzz)
+        if build_preset native-fuzz "the fuzz targets"; then fuzz_suite; else not_built fuzz; fi
+        ;;
     browser) node_suite browser tests/browser/*.test.mjs ;;
     *) stop "There is no suite '$1'; there are: $all_suites" ;;
     esac
 }
 
 # The quick ones first, and what depends on dist/ after the suite that builds it.
-all_suites="sources types native wasm node clang sanitizers browser"
+all_suites="sources types native wasm node clang sanitizers fuzz browser"
 
 run_suites() {
     begin=$(date +%s)
