@@ -7,7 +7,8 @@ file(GLOB headless_sources CONFIGURE_DEPENDS
 file(GLOB page_sources CONFIGURE_DEPENDS "${bindings}/*.cpp")
 
 # What stands between a program and the points of a curve that it has just changed.
-set(fast_bindings session session_curves session_bspline marshal_bspline marshal_cbor)
+set(fast_bindings session session_curves session_bspline marshal_bspline marshal_cbor
+    marshal_lists)
 list(TRANSFORM fast_bindings REPLACE "(.+)" "${bindings}/\\1.cpp")
 
 knotwork_wasm_module(knotwork EXPORT_NAME createKnotwork

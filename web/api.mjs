@@ -3,6 +3,7 @@
 import { makeBFunction } from './b-function.mjs';
 import { Core } from './core.mjs';
 import { makeCurve } from './curve.mjs';
+import { enclosingSphere, fit, interpolate } from './fit.mjs';
 import { decodeLink, encodeLink } from './links.mjs';
 import { openScene } from './scene.mjs';
 import { subdivide } from './subdivide.mjs';
@@ -25,6 +26,12 @@ export function makeApi(module) {
         },
         /** @param {unknown} spec @param {unknown} [given] */
         subdivide: (spec, given) => subdivide(core, spec, given),
+        /** @param {unknown} request */
+        fit: (request) => fit(core, request),
+        /** @param {unknown} request */
+        interpolate: (request) => interpolate(core, request),
+        /** @param {unknown} points @param {unknown} [given] */
+        enclosingSphere: (points, given) => enclosingSphere(core, points, given),
         /** @param {unknown} document */
         scene: (document) => openScene(core, document),
         get scenes() {

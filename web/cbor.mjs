@@ -1,7 +1,7 @@
 // Plain data on its way into the core, as CBOR (RFC 8949): doubles cross exactly, NaN included, so
 // that the core can say where it stands. Everything that is not plain data is refused here.
 
-import { isFloat64Array, isPlain, lengthOfNumbers } from './check.mjs';
+import { bytesOf, isFloat64Array, isPlain, lengthOfNumbers } from './check.mjs';
 import { describe, KnotworkError } from './errors.mjs';
 
 /** How deep a document may be nested, and how many bytes may cross at once. */
@@ -17,6 +17,9 @@ const simple = { false: 0xf4, true: 0xf5, null: 0xf6 };
 const double = 0xfb;
 /** Before a byte: how many numbers each point has whose numbers follow (a tag of RFC 8746's kind). */
 const rowsOf = [0xd8, 40];
+
+/** Whether the bytes of a Float64Array are in the order in which they cross. */
+const littleEndian = new Uint8Array(Uint16Array.of(1).buffer)[0] === 1;
 
 const loneSurrogate = /[\uD800-\uDFFF]/u;
 const utf8 = new TextEncoder();
@@ -166,6 +169,11 @@ export class Encoder {
         const length = lengthOfNumbers(numbers);
         this.#head(majorBytes, 8 * length);
         this.#reserve(8 * length);
+        if (littleEndian && length > 0) {
+            this.#bytes.set(bytesOf(numbers), this.#length);
+            this.#length += 8 * length;
+            return;
+        }
         for (let i = 0; i < length; ++i, this.#length += 8) {
             this.#view.setFloat64(this.#length, numbers[i], true);
         }

@@ -146,6 +146,10 @@ const bufferOf = /** @type {any} */ (Object.getOwnPropertyDescriptor(typedArray,
 /** @type {(this: Float64Array) => number} */
 const offsetOf = /** @type {any} */ (Object.getOwnPropertyDescriptor(typedArray, 'byteOffset')).get;
 
+/** Its bytes, as a view. @param {Float64Array} numbers */
+export const bytesOf = (numbers) =>
+    new Uint8Array(bufferOf.call(numbers), offsetOf.call(numbers), 8 * lengthOf.call(numbers));
+
 /** Some of the numbers, as a view. @param {Float64Array} numbers @param {number} from @param {number} count */
 export const partOf = (numbers, from, count) =>
     new Float64Array(bufferOf.call(numbers), offsetOf.call(numbers) + 8 * from, count);

@@ -321,7 +321,7 @@ function answeredPoints(curve, question) {
  * @param {ArrayLike<number>} traits
  * @returns {Curve}
  */
-function adopt(core, handle, traits = core.block(0, 5)) {
+export function adopt(core, handle, traits = core.block(0, 5)) {
     return new kinds[traits[4]](core, handle, traits);
 }
 

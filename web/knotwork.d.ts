@@ -51,6 +51,12 @@ export interface Knotwork {
      * points into 2N − degree, or 2N − 1 of the four-point scheme. At most 2^22 points.
      */
     subdivide(spec: Subdivision & IntoOption, options?: IntoOption): Float64Array;
+    /** The B-spline curve with `count` control points that is nearest to points. */
+    fit(request: FitRequest): Fit;
+    /** The B-spline curve through points, with one control point each. */
+    interpolate(request: InterpolationRequest): Fit;
+    /** A sphere with all points in it, by default the smallest. */
+    enclosingSphere(points: Points, options?: { method?: 'minimal' | 'ritter' | 'incremental' }): Sphere;
 
     scene(document: SceneDocument): Scene;
     /** The built-in scenes. */
@@ -371,6 +377,48 @@ export interface ParametricCurveModel {
     label: string;
     dimension: number;
     parameters: ParameterDescription[];
+}
+
+// Points
+
+export interface InterpolationRequest {
+    points: Points;
+    degree: number;
+    /** `'closed'` does not repeat the first point. */
+    form?: 'clamped' | 'open' | 'closed';
+    /**
+     * How parameters over [0, 1] are found (default `'chord'`, by distance), or one number a point,
+     * not decreasing. Own ones of a closed curve have the period 1 where all lie in [0, 1),
+     * otherwise one mean step more than their range.
+     */
+    parameters?: 'chord' | 'centripetal' | 'uniform' | Numbers;
+}
+
+export interface FitRequest extends InterpolationRequest {
+    /** The number of control points. Too few data for it is `RANK_DEFICIENT`. */
+    count: number;
+    /** Default uniform over the range of the parameters; averaged where count is that of the points. */
+    knots?: Numbers;
+    /** Whether the curve begins and ends exactly in the first and the last point. */
+    interpolateEnds?: boolean;
+    /**
+     * The factor λ ≥ 0 in Σ|C(u) − Q|² + λ Σ|cᵢ₋₁ − 2cᵢ + cᵢ₊₁|², which is minimised: the larger,
+     * the straighter the control polygon (default 0).
+     */
+    smoothing?: number;
+}
+
+export interface Fit {
+    curve: BsplineCurve;
+    /** One a point. */
+    parameters: Float64Array;
+    /** Of the distances between the points and the curve at their parameters. */
+    residuals: { sumOfSquares: number; rms: number; max: number };
+}
+
+export interface Sphere {
+    center: Point3;
+    radius: number;
 }
 
 // Scenes

@@ -23,6 +23,12 @@ inline constexpr int maximumDerivative = 25;
 /// so that validation can name them. SYNTAX for anything else.
 [[nodiscard]] Result<scene::Json> readCbor(std::span<const std::uint8_t> bytes);
 
+class CborCursor;
+struct CborItem;
+/// One value: `item`, which the cursor has just left, and what follows of it. False where it is not
+/// what the facade writes.
+[[nodiscard]] bool readValue(CborCursor& cursor, const CborItem& item, scene::Json& value);
+
 /// The B-spline curve that these bytes specify, as scene::makeCurve() would make it; nothing where
 /// they specify something else, or where anything about it is to be refused.
 [[nodiscard]] std::optional<Curve> readUsualBspline(std::span<const std::uint8_t> bytes);

@@ -3,6 +3,7 @@
 // scene's validation, which says what is wrong with it.
 #include "bindings/marshal.hpp"
 #include "bindings/marshal_cbor.hpp"
+#include "bindings/marshal_lists.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,25 +23,15 @@ struct Parts {
     std::vector<double> weights;
 };
 
-std::optional<Form> formNamed(std::string_view name) noexcept {
-    if (name == "clamped") return Form::clamped;
-    if (name == "open") return Form::open;
-    if (name == "closed") return Form::closed;
-    return std::nullopt;
-}
-
-bool readNumbers(const CborItem& item, std::vector<double>& numbers) {
-    if (item.kind != Kind::numbers || item.length > 2 * maxPointCount) return false;
-    numbers.resize(item.length);
-    for (std::size_t i = 0; i < item.length; ++i) numbers[i] = item.numberAt(i);
-    return !numbers.empty();
+bool readSome(const CborItem& item, std::vector<double>& numbers) {
+    return readNumbers(item, 2 * maxPointCount, numbers) && !numbers.empty();
 }
 
 bool readField(CborCursor& cursor, std::string_view key, Parts& parts) {
     const CborItem value = cursor.next();
     if (key == "points") return readPoints(value, maxPointCount, parts.points);
-    if (key == "knots") return readNumbers(value, parts.knots);
-    if (key == "weights") return readNumbers(value, parts.weights);
+    if (key == "knots") return readSome(value, parts.knots);
+    if (key == "weights") return readSome(value, parts.weights);
     if (key == "degree") {
         parts.degree = value.number;
         return value.kind == Kind::number;

@@ -148,6 +148,10 @@ bool readItem(CborCursor& cursor, const CborItem& item, Json& out, int depth) {
 
 }  // namespace
 
+bool readValue(CborCursor& cursor, const CborItem& item, Json& value) {
+    return readItem(cursor, item, value, 1);
+}
+
 Result<Json> readCbor(std::span<const std::uint8_t> bytes) {
     CborCursor cursor(bytes);
     Json value;

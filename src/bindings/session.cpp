@@ -43,7 +43,11 @@ int Session::refuse(Error error) {
 }
 
 Result<Json> Session::input(unsigned bytes) const {
-    return readCbor({room_.data(), std::min<std::size_t>(bytes, room_.size())});
+    return readCbor(inputBytes(bytes));
+}
+
+std::span<const std::uint8_t> Session::inputBytes(unsigned bytes) const {
+    return {room_.data(), std::min<std::size_t>(bytes, room_.size())};
 }
 
 std::string Session::inputText(unsigned bytes) {

@@ -14,6 +14,7 @@
 #include "geometry/b_function.hpp"
 #include "geometry/curve.hpp"
 #include "geometry/curve_subdivision.hpp"
+#include "geometry/fitting.hpp"
 #include "scene/scene.hpp"
 #include "scene/specs.hpp"
 
@@ -22,6 +23,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -131,6 +133,13 @@ public:
     [[nodiscard]] bool subdivisionPoints(unsigned first, unsigned count);
     void dropSubdivision();
 
+    // Points. A fit leaves in block, after the traits of its curve: sum of squares, root of the
+    // mean square and largest of the residuals, and how many parameters there are; bulk: those.
+    [[nodiscard]] int fit(unsigned bytes);
+    [[nodiscard]] int interpolate(unsigned bytes);
+    /// block: centre and radius.
+    [[nodiscard]] bool enclosingSphere(unsigned bytes);
+
     // Scenes.
     [[nodiscard]] int openScene(unsigned bytes);
     /// The scene itself, for a view that shows it; null for an unknown handle.
@@ -170,6 +179,7 @@ private:
 
     int refuse(Error error);
     [[nodiscard]] Result<scene::Json> input(unsigned bytes) const;
+    [[nodiscard]] std::span<const std::uint8_t> inputBytes(unsigned bytes) const;
     [[nodiscard]] int hold(Value value);
     [[nodiscard]] int holdCurve(CurveValue value);
     [[nodiscard]] int holdCurve(Result<scene::Made<Curve>> made);
@@ -183,6 +193,7 @@ private:
     [[nodiscard]] const BlendingCurve* findBlending(int handle);
     /// The local curve, or nothing (and OUT_OF_RANGE `j` in error()).
     [[nodiscard]] std::optional<std::size_t> findLocal(const BlendingCurve& curve, int local);
+    int holdFit(Result<Fit> fit);
     int leave(std::vector<double> numbers, std::size_t count);
     /// Moves the first `count` of parameters() into the curve's domain; false, and a refusal that
     /// names `ts[first + i]`, where one lies outside.

@@ -36,8 +36,7 @@ int Session::holdCurve(Result<Made<Curve>> made) {
 }
 
 int Session::curve(unsigned bytes) {
-    const std::span<const std::uint8_t> given(room_.data(),
-                                              std::min<std::size_t>(bytes, room_.size()));
+    const std::span<const std::uint8_t> given = inputBytes(bytes);
     if (auto usual = readUsualBspline(given)) {
         return holdCurve({std::move(*usual), std::nullopt, std::nullopt,
                           {given.begin(), given.end()}});

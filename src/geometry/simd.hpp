@@ -41,15 +41,29 @@ inline void store(double* to, Double2 value) noexcept { wasm_v128_store(to, valu
     return {wasm_f64x2_div(a.lanes, b.lanes)};
 }
 
-/// (a0, b0), (a0, b1) and (a1, b1).
+/// (a0, b0), (a0, b1), (a1, b0) and (a1, b1).
 [[nodiscard]] inline Double2 firstFirst(Double2 a, Double2 b) noexcept {
     return {wasm_i32x4_shuffle(a.lanes, b.lanes, 0, 1, 4, 5)};
 }
 [[nodiscard]] inline Double2 firstSecond(Double2 a, Double2 b) noexcept {
     return {wasm_i32x4_shuffle(a.lanes, b.lanes, 0, 1, 6, 7)};
 }
+[[nodiscard]] inline Double2 secondFirst(Double2 a, Double2 b) noexcept {
+    return {wasm_i32x4_shuffle(a.lanes, b.lanes, 2, 3, 4, 5)};
+}
 [[nodiscard]] inline Double2 secondSecond(Double2 a, Double2 b) noexcept {
     return {wasm_i32x4_shuffle(a.lanes, b.lanes, 2, 3, 6, 7)};
+}
+
+/// The larger ones of numbers that are no NaN.
+[[nodiscard]] inline Double2 larger(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_pmax(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline double first(Double2 a) noexcept {
+    return wasm_f64x2_extract_lane(a.lanes, 0);
+}
+[[nodiscard]] inline double second(Double2 a) noexcept {
+    return wasm_f64x2_extract_lane(a.lanes, 1);
 }
 
 #else
@@ -82,18 +96,44 @@ inline void store(double* to, Double2 value) noexcept { std::memcpy(to, &value, 
     return {a.lanes / b.lanes};
 }
 
-/// (a0, b0), (a0, b1) and (a1, b1).
+/// (a0, b0), (a0, b1), (a1, b0) and (a1, b1).
 [[nodiscard]] inline Double2 firstFirst(Double2 a, Double2 b) noexcept {
     return {Lanes{a.lanes[0], b.lanes[0]}};
 }
 [[nodiscard]] inline Double2 firstSecond(Double2 a, Double2 b) noexcept {
     return {Lanes{a.lanes[0], b.lanes[1]}};
 }
+[[nodiscard]] inline Double2 secondFirst(Double2 a, Double2 b) noexcept {
+    return {Lanes{a.lanes[1], b.lanes[0]}};
+}
 [[nodiscard]] inline Double2 secondSecond(Double2 a, Double2 b) noexcept {
     return {Lanes{a.lanes[1], b.lanes[1]}};
 }
 
+/// The larger ones of numbers that are no NaN.
+[[nodiscard]] inline Double2 larger(Double2 a, Double2 b) noexcept {
+    return {Lanes{a.lanes[0] < b.lanes[0] ? b.lanes[0] : a.lanes[0],
+                  a.lanes[1] < b.lanes[1] ? b.lanes[1] : a.lanes[1]}};
+}
+[[nodiscard]] inline double first(Double2 a) noexcept { return a.lanes[0]; }
+[[nodiscard]] inline double second(Double2 a) noexcept { return a.lanes[1]; }
+
 #endif
+
+/// Two points.
+struct Points2 {
+    Double2 x;
+    Double2 y;
+    Double2 z;
+};
+
+/// From x0 y0 z0 x1 y1 z1.
+[[nodiscard]] inline Points2 loadInterleaved(const double* from) noexcept {
+    const Double2 xy = load(from);
+    const Double2 zx = load(from + 2);
+    const Double2 yz = load(from + 4);
+    return {firstSecond(xy, zx), secondFirst(xy, yz), firstSecond(zx, yz)};
+}
 
 /// Two points as x0 y0 z0 x1 y1 z1.
 inline void storeInterleaved(double* to, Double2 x, Double2 y, Double2 z) noexcept {

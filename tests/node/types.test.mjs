@@ -48,6 +48,11 @@ const posed = blend.withPose(1, { scale: [1, 2, 3] });
 const weights: number[] = posed.blendBasis(0);
 const { points, parameters } = posed.polyline({ tolerance: 0.01 });
 const derivatives: [number, number, number][] = posed.derivatives(0, 3, { side: 'left' });
+const cloud = new Float64Array(30);
+const { curve: fitted, parameters: found, residuals: { rms } } = kw.fit({ points: cloud, degree: 3, count: 5, form: 'closed', smoothing: 1 });
+const through: Float64Array = kw.interpolate({ points: [[0, 0], [1, 1]], degree: 1, parameters: [0, 2] }).parameters;
+const { center, radius } = kw.enclosingSphere(cloud, { method: 'ritter' });
+void [fitted.knots, found.length, rms, through, center[2], radius];
 const scene = kw.scene({ knotwork: 1, objects: [{ id: 'c1', ...spline.spec, show: { polygon: false } }],
     effects: [{ target: 'c1', kind: 'rotate', angle: 1, easing: { family: 'linear' } }] });
 scene.execute({ move: 'objects[0].points[2]', by: [1, 0], gesture: 'drag' });
@@ -116,6 +121,8 @@ const values = {
     LineCurve: kw.curve({ type: 'line-curve', from: [0, 0], to: [1, 1] }),
     ArcCurve: kw.curve({ type: 'arc-curve', at: 0, point: [0, 0], first: [1, 0], second: [0, 1], domain: [0, 1] }),
     SubdivisionCurve: kw.curve({ type: 'subdivision-curve', scheme: 'chaikin', points: [[0, 0], [1, 0], [1, 1]] }),
+    Fit: kw.interpolate({ points: [[0, 0], [1, 1]], degree: 1 }),
+    Sphere: kw.enclosingSphere([[0, 0], [1, 1]]),
     Scene: kw.scene(kw.scenes[0].document),
     BFunctionFamily: kw.bFunctions[0],
     ParametricCurveModel: kw.parametricCurves[0],

@@ -27,4 +27,10 @@ inline constexpr double unevenSpans = 3;
 inline constexpr double sampledDerivatives = 1e-11;
 inline constexpr double highDegreeDerivatives = 1e-10;  // third derivatives, degree 8 to 25: 3e-11
 
+// Least squares: the curve, and the control points of clamped and closed ones, against the spline
+// that the data come from. Largest differences up to degree 9: 2e-13.
+inline constexpr double fitted = 1e-12;
+// At the data, relative to the largest control point. Largest up to degree 7: 3e-14.
+inline constexpr double interpolated = 1e-13;
+
 }  // namespace knotwork::test::gates

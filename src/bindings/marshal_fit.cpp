@@ -1,0 +1,183 @@
+#include "bindings/marshal_fit.hpp"
+
+#include "bindings/marshal.hpp"
+#include "bindings/marshal_lists.hpp"
+#include "scene/fields.hpp"
+#include "scene/json_values.hpp"
+#include "scene/validation.hpp"
+
+#include <array>
+#include <string>
+#include <utility>
+
+namespace knotwork::bindings {
+
+using scene::Choice;
+using scene::Field;
+using scene::FieldKind;
+using scene::Json;
+
+namespace {
+
+constexpr std::array parametrisationChoices{Choice{"chord", "Chord length"},
+                                            Choice{"centripetal", "Centripetal"},
+                                            Choice{"uniform", "Uniform"}};
+constexpr std::array formChoices{Choice{"clamped", "Clamped"}, Choice{"open", "Open"},
+                                 Choice{"closed", "Closed"}};
+constexpr std::array methodChoices{Choice{"minimal", "Smallest"}, Choice{"ritter", "Ritter"},
+                                   Choice{"incremental", "Incremental"}};
+
+constexpr Field pointsField{.name = "points", .label = "Points", .kind = FieldKind::points,
+                            .help = "The data, a list of points.", .required = true};
+constexpr Field degreeField{.name = "degree", .label = "Degree", .kind = FieldKind::integer,
+                            .help = "Degree of the polynomial pieces.", .min = 1, .max = maxDegree,
+                            .maxIsSize = true, .required = true};
+constexpr Field formField{.name = "form", .label = "Form", .kind = FieldKind::choice,
+                          .help = "Clamped begins and ends in control points, closed has no ends.",
+                          .defaultJson = "\"clamped\"", .choices = formChoices};
+constexpr Field parametersField{.name = "parameters", .label = "Parameters",
+                                .kind = FieldKind::choice,
+                                .help = "How parameters are found, or one number a point.",
+                                .defaultJson = "\"chord\"", .choices = parametrisationChoices};
+
+constexpr std::array fitFields{
+    pointsField, degreeField,
+    Field{.name = "count", .label = "Control points", .kind = FieldKind::integer,
+          .help = "How many control points the curve has.", .min = 2, .max = maxPointCount,
+          .maxIsSize = true, .required = true},
+    formField, parametersField,
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
+          .help = "Count + degree + 1 numbers, or count + 1 of one period where closed."},
+    Field{.name = "interpolateEnds", .label = "Interpolate ends", .kind = FieldKind::flag,
+          .help = "Whether the curve begins and ends exactly in the first and the last point.",
+          .defaultJson = "false"},
+    Field{.name = "smoothing", .label = "Smoothing", .kind = FieldKind::number,
+          .help = "How much the bends of the control polygon count.", .min = 0,
+          .max = maxSmoothing, .defaultJson = "0"}};
+constexpr std::array interpolationFields{pointsField, degreeField, formField, parametersField};
+constexpr std::array sphereFields{
+    pointsField, Field{.name = "method", .label = "Method", .kind = FieldKind::choice,
+                       .help = "The smallest sphere, or one of two that are found sooner.",
+                       .defaultJson = "\"minimal\"", .choices = methodChoices}};
+
+/// An object's lists that crossed as packed numbers, all of them finite; the tree has empty lists
+/// in their places.
+struct Packed {
+    Json rest = Json::object();
+    std::optional<std::vector<Vec3>> points{};
+    std::optional<std::vector<double>> parameters{};
+};
+
+bool takePoints(const CborItem& item, Packed& packed) {
+    std::vector<Vec3> points;
+    if (!readPoints(item, maxDataCount, points)) return false;
+    if (!allFinite(points)) return false;
+    packed.points = std::move(points);
+    return true;
+}
+
+bool takeParameters(const CborItem& item, Packed& packed) {
+    std::vector<double> numbers;
+    if (!readNumbers(item, maxDataCount, numbers)) return false;
+    if (!allFinite(numbers)) return false;
+    packed.parameters = std::move(numbers);
+    return true;
+}
+
+Result<Packed> unpack(std::span<const std::uint8_t> bytes) {
+    CborCursor cursor(bytes);
+    Packed packed;
+    bool whole = cursor.next().kind == CborItem::Kind::map;
+    while (whole) {
+        const CborItem key = cursor.next();
+        if (key.kind == CborItem::Kind::close) return packed;
+        const CborItem item = cursor.next();
+        const bool taken = (key.text() == "points" && takePoints(item, packed)) ||
+                           (key.text() == "parameters" && takeParameters(item, packed));
+        Json value = Json::array();
+        whole = key.kind == CborItem::Kind::text && (taken || readValue(cursor, item, value));
+        packed.rest[std::string(key.text())] = std::move(value);
+    }
+    // No object, then: the tables say so.
+    auto tree = readCbor(bytes);
+    if (!tree) return tree.error();
+    return Packed{std::move(*tree)};
+}
+
+std::vector<Vec3> pointsOf(Packed& packed, const Json& fields) {
+    if (packed.points) return *std::move(packed.points);
+    std::vector<Vec3> points;
+    for (const Json& point : *scene::member(fields, "points")) {
+        points.push_back(scene::vec3Of(point));
+    }
+    return points;
+}
+
+Parameters parametersOf(Packed& packed, const Json& fields) {
+    if (packed.parameters) return *std::move(packed.parameters);
+    const Json& given = *scene::member(fields, "parameters");
+    if (given.is_array()) return scene::numbersOf(given);
+    const std::string name = given.get<std::string>();
+    return name == "uniform"       ? Parametrisation::uniform
+           : name == "centripetal" ? Parametrisation::centripetal
+                                   : Parametrisation::chord;
+}
+
+/// By the table, in which `parameters` are a list of numbers where a list is given.
+Result<Json> readFields(const Json& given, std::span<const Field> table) {
+    std::vector<Field> fields(table.begin(), table.end());
+    const Json* parameters = given.is_object() ? scene::member(given, "parameters") : nullptr;
+    for (Field& field : fields) {
+        const bool list = parameters != nullptr && parameters->is_array();
+        if (field.name == "parameters" && list) field.kind = FieldKind::numbers;
+    }
+    return scene::readGroup(given, fields);
+}
+
+Result<FitInput> readRequest(std::span<const std::uint8_t> bytes, std::span<const Field> table) {
+    auto packed = unpack(bytes);
+    if (!packed) return packed.error();
+    const auto fields = readFields(packed->rest, table);
+    if (!fields) return fields.error();
+    FitInput input;
+    input.points = pointsOf(*packed, *fields);
+    FitRequest& request = input.request;
+    request.degree = static_cast<int>(scene::numberOr(*fields, "degree", 0));
+    request.count = static_cast<int>(scene::numberOr(*fields, "count", 0));
+    request.form = *formNamed(scene::stringOr(*fields, "form", ""));
+    request.parameters = parametersOf(*packed, *fields);
+    request.options.smoothing = scene::numberOr(*fields, "smoothing", 0);
+    request.options.interpolateEnds = scene::flagOr(*fields, "interpolateEnds", false);
+    if (const Json* knots = scene::member(*fields, "knots")) {
+        request.knots = scene::numbersOf(*knots);
+        if (request.knots.empty()) {
+            return refuse(Code::knotsCount, "knots",
+                          "the list of knots is empty; leave it out for the default knots");
+        }
+    }
+    return input;
+}
+
+}  // namespace
+
+Result<FitInput> readFit(std::span<const std::uint8_t> bytes) {
+    return readRequest(bytes, fitFields);
+}
+
+Result<FitInput> readInterpolation(std::span<const std::uint8_t> bytes) {
+    return readRequest(bytes, interpolationFields);
+}
+
+Result<SphereInput> readSphere(std::span<const std::uint8_t> bytes) {
+    auto packed = unpack(bytes);
+    if (!packed) return packed.error();
+    const auto fields = scene::readGroup(packed->rest, sphereFields);
+    if (!fields) return fields.error();
+    const std::string method = scene::stringOr(*fields, "method", "");
+    return SphereInput{pointsOf(*packed, *fields),
+                       method == "ritter"        ? SphereMethod::ritter
+                       : method == "incremental" ? SphereMethod::incremental
+                                                 : SphereMethod::minimal};
+}
+
+}  // namespace knotwork::bindings

@@ -1,0 +1,34 @@
+// What is asked of a fit, of an interpolation and of an enclosing sphere, as values of the core.
+#pragma once
+
+#include "geometry/enclosing_sphere.hpp"
+#include "geometry/fitting.hpp"
+#include "geometry/result.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace knotwork::bindings {
+
+struct FitInput {
+    std::vector<Vec3> points;
+    FitRequest request;  ///< of an interpolation: without count, knots and options
+};
+
+/// { points, degree, count, form?, parameters?, knots?, interpolateEnds?, smoothing? }: points
+/// straight from their bytes where they cross as packed numbers, everything else by a table of
+/// fields. What is refused has the codes and paths of those.
+[[nodiscard]] Result<FitInput> readFit(std::span<const std::uint8_t> bytes);
+/// { points, degree, form?, parameters? }.
+[[nodiscard]] Result<FitInput> readInterpolation(std::span<const std::uint8_t> bytes);
+
+struct SphereInput {
+    std::vector<Vec3> points;
+    SphereMethod method = SphereMethod::minimal;
+};
+
+/// { points, method? }.
+[[nodiscard]] Result<SphereInput> readSphere(std::span<const std::uint8_t> bytes);
+
+}  // namespace knotwork::bindings
