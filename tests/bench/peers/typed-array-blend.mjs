@@ -29,6 +29,18 @@ function lookUp(table, w) {
 }
 
 /**
+ * The point of a cubic in `work`, twelve numbers that are overwritten, at u.
+ * @param {Float64Array} work
+ * @param {number} u
+ */
+function deCasteljau(work, u) {
+    const v = 1 - u;
+    for (let last = 9; last > 0; last -= 3) {
+        for (let i = 0; i < last; ++i) work[i] = v * work[i] + u * work[i + 3];
+    }
+}
+
+/**
  * @param {Float64Array} locals twelve numbers each: four control points
  * @param {Float64Array} domains start and end of each
  * @param {Float64Array} knots
@@ -40,31 +52,23 @@ export function sampleBlend(locals, domains, knots, table, count, xyz) {
     const last = knots.length - 2;
     const start = knots[0];
     const length = knots[last + 1] - start;
+    const first = new Float64Array(12);
+    const second = new Float64Array(12);
     let span = 0;
     for (let i = 0; i < count; ++i) {
         const t = start + (length * i) / (count - 1);
         while (span < last && t >= knots[span + 1]) ++span;
         const weight = lookUp(table, (t - knots[span]) / (knots[span + 1] - knots[span]));
-        let x = 0;
-        let y = 0;
-        let z = 0;
-        for (let side = 0; side < 2; ++side) {
-            const share = side === 0 ? 1 - weight : weight;
-            const local = span + side;
-            const from = domains[2 * local];
-            const u = (t - from) / (domains[2 * local + 1] - from);
-            const v = 1 - u;
-            const b0 = share * v * v * v;
-            const b1 = share * 3 * u * v * v;
-            const b2 = share * 3 * u * u * v;
-            const b3 = share * u * u * u;
-            const at = 12 * local;
-            x += b0 * locals[at] + b1 * locals[at + 3] + b2 * locals[at + 6] + b3 * locals[at + 9];
-            y += b0 * locals[at + 1] + b1 * locals[at + 4] + b2 * locals[at + 7] + b3 * locals[at + 10];
-            z += b0 * locals[at + 2] + b1 * locals[at + 5] + b2 * locals[at + 8] + b3 * locals[at + 11];
+        for (let k = 0; k < 12; ++k) {
+            first[k] = locals[12 * span + k];
+            second[k] = locals[12 * span + 12 + k];
         }
-        xyz[3 * i] = x;
-        xyz[3 * i + 1] = y;
-        xyz[3 * i + 2] = z;
+        const from = domains[2 * span];
+        const to = domains[2 * span + 2];
+        deCasteljau(first, (t - from) / (domains[2 * span + 1] - from));
+        deCasteljau(second, (t - to) / (domains[2 * span + 3] - to));
+        for (let axis = 0; axis < 3; ++axis) {
+            xyz[3 * i + axis] = (1 - weight) * first[axis] + weight * second[axis];
+        }
     }
 }
