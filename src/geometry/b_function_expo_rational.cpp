@@ -18,6 +18,36 @@ unsigned wholePower(double power) noexcept {
 
 bool isEven(unsigned whole) noexcept { return whole != 0 && whole % 2 == 0; }
 
+struct Density {
+    double alpha;
+    double beta;
+    double gamma;
+    double lambda;
+    double scale;  // S
+};
+
+/// B′ = S φ and B″ = S φ′ without jets, for curves that ask for them at every point: with
+/// E = −log φ it is φ′ = −φ E (p/(t−λ) − α/t + αγ/(1−t)).
+void shortRows(const Density& of, double t, std::span<double> rows) noexcept {
+    const double s = 1 - t;
+    const double power = of.alpha * (1 + of.gamma);
+    const unsigned whole = wholePower(power);
+    const double distance = std::abs(t - of.lambda);
+    const double numerator = whole != 0 ? integerPower(distance, whole) : std::pow(distance, power);
+    const double flatness = of.alpha == 1 && of.gamma == 1
+                                ? 1 / (t * s)
+                                : std::exp(-of.alpha * (std::log(t) + of.gamma * std::log(s)));
+    const double exponent = of.beta * numerator * flatness;
+    const double density = of.scale * std::exp(-exponent);
+    if (density == 0) return;
+    rows[1] = density;
+    if (rows.size() < 3) return;
+    rows[2] = 0;
+    if (exponent == 0) return;
+    const double slope = power / (t - of.lambda) - of.alpha / t + of.alpha * of.gamma / s;
+    rows[2] = -density * exponent * slope;
+}
+
 }  // namespace
 
 ExpoRational::ExpoRational(double alpha, double beta, double gamma, double lambda)
@@ -49,15 +79,18 @@ void ExpoRational::derivatives(double t, std::span<double> rows) const noexcept 
         rows[1] = table_->scale();
         return;
     }
-    const Jet variable = Jet::variable(t, static_cast<int>(rows.size()) - 2);
-    const Jet distance = t < lambda_ ? lambda_ - variable : variable - lambda_;
-    const Jet numerator = whole != 0 ? integerPower(distance, whole) : pow(distance, power);
-    const Jet flatness = exp(-alpha_ * (log(variable) + gamma_ * log(1.0 - variable)));
-    const Jet density = exp(-beta_ * (numerator * flatness));
-    if (density.value() == 0) return;
-    for (std::size_t k = 1; k < rows.size(); ++k) {
-        rows[k] = table_->scale() * density.derivative(static_cast<int>(k) - 1);
+    if (rows.size() > 3) {
+        const Jet variable = Jet::variable(t, static_cast<int>(rows.size()) - 2);
+        const Jet distance = t < lambda_ ? lambda_ - variable : variable - lambda_;
+        const Jet numerator = whole != 0 ? integerPower(distance, whole) : pow(distance, power);
+        const Jet flatness = exp(-alpha_ * (log(variable) + gamma_ * log(1.0 - variable)));
+        const Jet density = exp(-beta_ * (numerator * flatness));
+        for (std::size_t k = 1; k < rows.size() && density.value() != 0; ++k) {
+            rows[k] = table_->scale() * density.derivative(static_cast<int>(k) - 1);
+        }
     }
+    // However many rows there are, the first ones agree.
+    shortRows({alpha_, beta_, gamma_, lambda_, table_->scale()}, t, rows);
 }
 
 bool ExpoRational::smooth() const noexcept { return isEven(wholePower(alpha_ * (1 + gamma_))); }

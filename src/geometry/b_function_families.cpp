@@ -137,10 +137,21 @@ double Polynomial::value(double t) const noexcept {
 
 void Polynomial::derivatives(double t, std::span<double> rows) const noexcept {
     if (rows.size() < 2) return;
-    const Jet variable = Jet::variable(t, derivativeOrder(rows) - 1);
-    const Jet density = integerPower(variable, static_cast<unsigned>(p)) *
-                        integerPower(1.0 - variable, static_cast<unsigned>(q));
-    writeSlope(density, (p + q + 1) * binomial(p, q), rows);
+    const bool inside = p > 0 && q > 0;
+    if (rows.size() > 3 || !inside) {
+        const Jet variable = Jet::variable(t, derivativeOrder(rows) - 1);
+        const Jet density = integerPower(variable, static_cast<unsigned>(p)) *
+                            integerPower(1.0 - variable, static_cast<unsigned>(q));
+        writeSlope(density, (p + q + 1) * binomial(p, q), rows);
+    }
+    if (!inside) return;
+    // What curves ask for at every point takes no jets; and however many rows there are, they agree.
+    const double s = 1 - t;
+    const double lower = (p + q + 1) * binomial(p, q) *
+                         integerPower(t, static_cast<unsigned>(p - 1)) *
+                         integerPower(s, static_cast<unsigned>(q - 1));
+    rows[1] = lower * t * s;
+    if (rows.size() > 2) rows[2] = lower * (p * s - q * t);
 }
 
 bool Rational::integerPowers() const noexcept { return m == std::trunc(m); }

@@ -37,6 +37,26 @@ void powerForm(const LocalCurve& local, double centre, double halfWidth,
     }
 }
 
+/// An affine map as three rows of four numbers: what is done for every point is plain arithmetic.
+using Rows4 = std::array<double, 12>;
+
+Rows4 rowsOf(const Affine& map) noexcept {
+    Rows4 rows;
+    for (int row = 0; row < 3; ++row) {
+        const auto at = static_cast<std::size_t>(4 * row);
+        for (int column = 0; column < 3; ++column) {
+            rows[at + static_cast<std::size_t>(column)] = map.linear[column][row];
+        }
+        rows[at + 3] = map.offset[row];
+    }
+    return rows;
+}
+
+inline double rowAt(const Rows4& map, std::size_t row, double x, double y, double z) noexcept {
+    const double* m = &map[4 * row];
+    return m[0] * x + m[1] * y + m[2] * z + m[3];
+}
+
 void store(const Vec3& point, double* xyz) noexcept {
     xyz[0] = point.x;
     xyz[1] = point.y;
@@ -74,6 +94,7 @@ void BlendingSampler::addPiece(const BlendingCurve::Span& span) {
         const bool same = first.placement() == second.placement();
         piece.method = same ? Method::one : Method::placements;
         samplerOf(span.first);
+        samplerOf(span.second);
     } else if (polynomialDegree(first.source()) > 0 && polynomialDegree(second.source()) > 0) {
         addPolynomials(span, piece);
     } else {
@@ -123,33 +144,39 @@ const BlendingSampler::Piece& BlendingSampler::pieceAt(double t) const noexcept 
     return *(after - 1);
 }
 
-void BlendingSampler::points(std::span<const double> ts, std::span<double> xyz) const noexcept {
-    for (std::size_t i = 0; i < ts.size();) i += run(ts, i, &xyz[3 * i]);
-}
-
-/// One piece's parameters from `first` on, at most a block of them; answers how many.
-std::size_t BlendingSampler::run(std::span<const double> ts, std::size_t first,
-                                 double* xyz) const noexcept {
+/// Gathers one piece's parameters from `first` on, at most `most` of them. Null where a parameter
+/// stands alone: both ends are met exactly, and what lies outside a closed curve is wrapped.
+const BlendingSampler::Piece* BlendingSampler::fill(std::span<const double> ts, std::size_t first,
+                                                    std::size_t most, Run& run) const noexcept {
     const Interval whole = curve_.domain();
     const double t = ts[first];
-    // Both ends are met exactly; what lies outside a closed curve is wrapped.
+    run.count = 1;
     if (t == whole.start || t == whole.end || (curve_.closed() && !whole.contains(t))) {
-        Vec3 point;
-        curve_.evaluate(t, t == whole.end ? Side::left : Side::right, {&point, 1});
-        store(point, xyz);
-        return 1;
+        return nullptr;
     }
     const Piece& piece = pieceAt(t);
-    Run run;
-    const std::size_t most = std::min(blockSize, ts.size() - first);
-    for (; run.count < most; ++run.count) {
+    run.ts[0] = t;
+    for (most = std::min(most, ts.size() - first); run.count < most; ++run.count) {
         const double next = ts[first + run.count];
         if (!(piece.start <= next && next < piece.end) || next == whole.end) break;
         run.ts[run.count] = next;
     }
     std::fill_n(&run.ts[run.count], 4, piece.span.start);
-    blend(piece, run, xyz);
-    return run.count;
+    return &piece;
+}
+
+void BlendingSampler::points(std::span<const double> ts, std::span<double> xyz) const noexcept {
+    Run run;
+    for (std::size_t i = 0; i < ts.size(); i += run.count) {
+        if (const Piece* piece = fill(ts, i, blockSize, run)) {
+            blend(*piece, run, &xyz[3 * i]);
+            continue;
+        }
+        Vec3 point;
+        const Side side = ts[i] == curve_.domain().end ? Side::left : Side::right;
+        curve_.evaluate(ts[i], side, {&point, 1});
+        store(point, &xyz[3 * i]);
+    }
 }
 
 void BlendingSampler::blend(const Piece& piece, Run& run, double* xyz) const noexcept {
@@ -184,26 +211,33 @@ void BlendingSampler::local(std::size_t j, double shift, const Run& run,
     }
     samplers_[samplerOf_[j]].at({parameters.data(), run.count}, 0, {xyz, 3 * run.count});
     if (curve.pose().isIdentity()) return;
-    const Affine placement = curve.placement();
-    for (std::size_t i = 0; i < run.count; ++i) {
-        double* at = xyz + 3 * i;
-        store(placement.point({at[0], at[1], at[2]}), at);
+    const Rows4 placement = rowsOf(curve.placement());
+    for (double* at = xyz; at != xyz + 3 * run.count; at += 3) {
+        const double x = at[0];
+        const double y = at[1];
+        const double z = at[2];
+        for (std::size_t row = 0; row < 3; ++row) at[row] = rowAt(placement, row, x, y, z);
     }
 }
 
 void BlendingSampler::placements(const Piece& piece, Run& run, double* xyz) const noexcept {
     const LocalCurve& first = curve_.locals()[piece.span.first];
-    const Affine from = first.placement();
-    const Affine to = curve_.locals()[piece.span.second].placement();
-    const Affine step{to.linear - from.linear, to.offset - from.offset};
+    const Rows4 from = rowsOf(first.placement());
+    const Rows4 to = rowsOf(curve_.locals()[piece.span.second].placement());
+    Rows4 step;
+    for (std::size_t k = 0; k < step.size(); ++k) step[k] = to[k] - from[k];
     Block parameters;
     for (std::size_t i = 0; i < run.count; ++i) parameters[i] = first.sourceParameter(run.ts[i]);
     samplers_[samplerOf_[piece.span.first]].at({parameters.data(), run.count}, 0,
                                                {xyz, 3 * run.count});
     for (std::size_t i = 0; i < run.count; ++i) {
         double* at = xyz + 3 * i;
-        const Vec3 point(at[0], at[1], at[2]);
-        store(from.point(point) + run.weights[i] * step.point(point), at);
+        const double x = at[0];
+        const double y = at[1];
+        const double z = at[2];
+        for (std::size_t row = 0; row < 3; ++row) {
+            at[row] = rowAt(from, row, x, y, z) + run.weights[i] * rowAt(step, row, x, y, z);
+        }
     }
 }
 
@@ -215,6 +249,127 @@ void BlendingSampler::any(const Piece& piece, Run& run, double* xyz) const noexc
         const double weight = run.weights[i];
         for (std::size_t axis = 3 * i; axis < 3 * i + 3; ++axis) {
             xyz[axis] = (1 - weight) * xyz[axis] + weight * others[axis];
+        }
+    }
+}
+
+// ---- Derivatives -------------------------------------------------------------------------------
+
+namespace {
+
+constexpr std::size_t mostOrders = BlendingSampler::mostDerivatives + 1;
+constexpr std::size_t rowBlock = 64;
+
+/// binomial(j, l) for j up to 3.
+constexpr std::array<std::array<double, mostOrders>, mostOrders> binomials{
+    {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
+
+}  // namespace
+
+/// x, y, z of the points of a run, then of the first derivatives there, …
+struct BlendingSampler::Rows {
+    std::array<double, 3 * mostOrders * rowBlock> at;
+};
+
+void BlendingSampler::rows(std::span<const double> ts, int derivatives,
+                           std::span<double> xyz) const noexcept {
+    const std::size_t orders = static_cast<std::size_t>(derivatives) + 1;
+    Run run;
+    for (std::size_t i = 0; i < ts.size(); i += run.count) {
+        if (const Piece* piece = fill(ts, i, rowBlock, run)) {
+            blendRows(*piece, run, orders, 3 * ts.size(), &xyz[3 * i]);
+            continue;
+        }
+        std::array<Vec3, mostOrders> single;
+        const Side side = ts[i] == curve_.domain().end ? Side::left : Side::right;
+        curve_.evaluate(ts[i], side, {single.data(), orders});
+        for (std::size_t k = 0; k < orders; ++k) store(single[k], &xyz[3 * (k * ts.size() + i)]);
+    }
+}
+
+/// C^(j) = c^(j) + Σ binomial(j, l) B^(l) h^(−l) (c_next − c)^(j−l).
+void BlendingSampler::blendRows(const Piece& piece, const Run& run, std::size_t orders,
+                                std::size_t stride, double* xyz) const noexcept {
+    const std::size_t n = run.count;
+    std::array<double, rowBlock> ws;
+    std::array<double, mostOrders * rowBlock> b;
+    for (std::size_t i = 0; i < n; ++i) ws[i] = (run.ts[i] - piece.span.start) / piece.span.length;
+    curve_.blend().sampleDerivatives({ws.data(), n}, {b.data(), orders * n});
+    double power = 1;
+    for (std::size_t l = 0; l < orders; ++l) {
+        for (std::size_t i = 0; i < n; ++i) b[l * n + i] *= power;
+        power /= piece.span.length;
+    }
+    Rows first;
+    Rows step;
+    if (piece.method == Method::polynomials) {
+        polynomialRows(piece, run, orders, first, step);
+    } else {
+        localRows(piece.span.first, 0, run, orders, first);
+        localRows(piece.span.second, piece.span.shift, run, orders, step);
+        for (std::size_t k = 0; k < 3 * orders * n; ++k) step.at[k] -= first.at[k];
+    }
+    for (std::size_t j = 0; j < orders; ++j) {
+        double* to = xyz + j * stride;
+        std::copy_n(&first.at[3 * j * n], 3 * n, to);
+        for (std::size_t l = 0; l <= j; ++l) {
+            const double* from = &step.at[3 * (j - l) * n];
+            for (std::size_t i = 0; i < n; ++i) {
+                const double weight = binomials[j][l] * b[l * n + i];
+                for (std::size_t axis = 3 * i; axis < 3 * i + 3; ++axis) {
+                    to[axis] += weight * from[axis];
+                }
+            }
+        }
+    }
+}
+
+void BlendingSampler::localRows(std::size_t j, double shift, const Run& run, std::size_t orders,
+                                Rows& rows) const noexcept {
+    const LocalCurve& curve = curve_.locals()[j];
+    const std::size_t n = run.count;
+    std::array<double, rowBlock> parameters;
+    for (std::size_t i = 0; i < n; ++i) parameters[i] = curve.sourceParameter(run.ts[i] - shift);
+    samplers_[samplerOf_[j]].at({parameters.data(), n}, static_cast<int>(orders) - 1,
+                                {rows.at.data(), 3 * orders * n});
+    Rows4 placement = rowsOf(curve.placement());
+    for (std::size_t k = 0; k < orders; ++k) {
+        if (k == 1) placement[3] = placement[7] = placement[11] = 0;
+        if (k > 0) for (double& entry : placement) entry *= curve.rate();
+        for (std::size_t i = 3 * k * n; i < 3 * (k + 1) * n; i += 3) {
+            double* at = &rows.at[i];
+            const double x = at[0];
+            const double y = at[1];
+            const double z = at[2];
+            for (std::size_t row = 0; row < 3; ++row) at[row] = rowAt(placement, row, x, y, z);
+        }
+    }
+}
+
+/// Horner's rule with derivatives, for P and Q − P at once.
+void BlendingSampler::polynomialRows(const Piece& piece, const Run& run, std::size_t orders,
+                                     Rows& first, Rows& step) const noexcept {
+    const std::size_t n = run.count;
+    const double perHalf = 2 / piece.span.length;
+    const double* c = &coefficients_[piece.offset];
+    const std::size_t width = 2 * components_;
+    first.at.fill(0);
+    step.at.fill(0);
+    for (std::size_t i = 0; i < n; ++i) {
+        const double u = (run.ts[i] - piece.span.start) * perHalf - 1;
+        for (std::size_t column = 0; column < width; ++column) {
+            std::array<double, mostOrders> sums{};
+            for (std::size_t k = piece.degree + 1; k-- > 0;) {
+                for (std::size_t l = orders; l-- > 1;) sums[l] = sums[l] * u + sums[l - 1];
+                sums[0] = sums[0] * u + c[k * width + column];
+            }
+            const bool isStep = column >= components_;
+            const std::size_t axis = isStep ? column - components_ : column;
+            double factor = 1;  // l! (2/h)^l
+            for (std::size_t l = 0; l < orders; ++l) {
+                (isStep ? step : first).at[3 * (l * n + i) + axis] = factor * sums[l];
+                factor *= perHalf * static_cast<double>(l + 1);
+            }
         }
     }
 }

@@ -26,6 +26,12 @@ public:
     /// continued as BlendingCurve does. Nothing is allocated.
     void points(std::span<const double> ts, std::span<double> xyz) const noexcept;
 
+    /// The highest order for which rows() is.
+    static constexpr int mostDerivatives = 3;
+    /// All positions, then all first derivatives, …, of orders up to `derivatives`: xyz.size() is
+    /// 3·(derivatives+1)·ts.size().
+    void rows(std::span<const double> ts, int derivatives, std::span<double> xyz) const noexcept;
+
 private:
     enum class Method { one, placements, polynomials, any };
 
@@ -39,16 +45,24 @@ private:
         std::size_t offset;   // of their coefficients
     };
     struct Run;
+    struct Rows;
 
     void addPiece(const BlendingCurve::Span& span);
     void addPolynomials(const BlendingCurve::Span& span, Piece& piece);
     std::size_t samplerOf(std::size_t local);
     [[nodiscard]] const Piece& pieceAt(double t) const noexcept;
-    std::size_t run(std::span<const double> ts, std::size_t first, double* xyz) const noexcept;
+    [[nodiscard]] const Piece* fill(std::span<const double> ts, std::size_t first, std::size_t most,
+                                    Run& run) const noexcept;
     void blend(const Piece& piece, Run& run, double* xyz) const noexcept;
     void placements(const Piece& piece, Run& run, double* xyz) const noexcept;
     void any(const Piece& piece, Run& run, double* xyz) const noexcept;
     void local(std::size_t j, double shift, const Run& run, double* xyz) const noexcept;
+    void blendRows(const Piece& piece, const Run& run, std::size_t orders, std::size_t stride,
+                   double* xyz) const noexcept;
+    void localRows(std::size_t j, double shift, const Run& run, std::size_t orders,
+                   Rows& rows) const noexcept;
+    void polynomialRows(const Piece& piece, const Run& run, std::size_t orders, Rows& first,
+                        Rows& step) const noexcept;
 
     BlendingCurve curve_;
     std::vector<Piece> pieces_;          // one per span that is not empty, ascending

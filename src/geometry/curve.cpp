@@ -164,6 +164,8 @@ void CurveSampler::at(std::span<const double> ts, int derivatives,
         prepared_->pieces->at(ts, derivatives, xyz);
     } else if (derivatives == 0) {
         prepared_->points(ts, xyz.data());
+    } else if (prepared_->blend && derivatives <= BlendingSampler::mostDerivatives) {
+        prepared_->blend->rows(ts, derivatives, xyz);
     } else {
         prepared_->rows(ts, static_cast<std::size_t>(derivatives) + 1, xyz.data());
     }

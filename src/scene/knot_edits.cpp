@@ -60,6 +60,7 @@ Result<Json> withLocalAt(const Json& curve, const BlendingCurve& blend, double a
     knots.insert(place, at);
     Json changed = curve;
     changed["knots"] = listOf(knots);
+    changed["spacing"] = "parameter";  // these are no longer those of equal lengths
     changed["locals"]["count"] = static_cast<double>(blend.locals().size() + 1);
     spaceByKnots(changed);
     renumberPoses(changed, index, 1);

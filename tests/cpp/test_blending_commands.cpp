@@ -114,6 +114,8 @@ TEST(BlendingCommand, SpacingPutsTheKnotsAndAMovedKnotEndsIt) {
     EXPECT_EQ(blend(scene).spec["spacing"], "parameter");
     EXPECT_EQ(blend(scene).spec["knots"][1], 0.5);
     expectDone(scene, R"({"set": "objects[0].spacing", "value": "length"})");
+    expectDone(scene, R"({"insertKnot": {"object": "blend", "at": 0.7}})");
+    EXPECT_EQ(blend(scene).spec["spacing"], "parameter");
     expectDone(scene, R"({"set": "objects[0].spacing", "value": "parameter"})");
 }
 

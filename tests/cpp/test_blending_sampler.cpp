@@ -22,6 +22,25 @@ std::vector<double> telltales(const BlendingCurve& curve) {
     return ts;
 }
 
+void expectRowsSampled(const BlendingCurve& curve, const CurveSampler& sampler,
+                       std::span<const double> ts, int derivatives, const std::string& name) {
+    const auto orders = static_cast<std::size_t>(derivatives) + 1;
+    std::vector<double> xyz(3 * ts.size() * orders);
+    sampler.at(ts, derivatives, xyz);
+    for (std::size_t i = 0; i < ts.size(); i += 7) {
+        const Side side = ts[i] == curve.domain().end ? Side::left : Side::right;
+        const auto expected = test::rowsOf<4>(Curve(curve), ts[i], side);
+        double scale = 1 + glm::length(expected[0]);
+        for (std::size_t k = 0; k < orders; ++k) {
+            const double* at = &xyz[3 * (k * ts.size() + i)];
+            test::expectNear({at[0], at[1], at[2]}, expected[k],
+                             samplerGate * (scale + glm::length(expected[k])),
+                             name + " at " + std::to_string(ts[i]) + ", order " + std::to_string(k));
+            scale *= 40;  // spans of half a parameter and polynomials of degree 9
+        }
+    }
+}
+
 void expectSampled(const BlendingCurve& curve, const std::string& name) {
     const CurveSampler sampler{Curve(curve)};
     const auto ts = telltales(curve);
@@ -33,6 +52,9 @@ void expectSampled(const BlendingCurve& curve, const std::string& name) {
         test::expectNear({xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]}, expected,
                          samplerGate * (1 + glm::length(expected) / 20),
                          name + " at " + std::to_string(ts[i]));
+    }
+    for (int derivatives = 1; derivatives <= 3; ++derivatives) {
+        expectRowsSampled(curve, sampler, ts, derivatives, name);
     }
     const Vec3 start = test::rowsOf<1>(Curve(curve), curve.domain().start)[0];
     EXPECT_EQ(Vec3(xyz[0], xyz[1], xyz[2]), start) << name;
