@@ -202,6 +202,24 @@ export function numbers(value, name) {
     });
 }
 
+/**
+ * A point as three numbers of our own; two lie in the plane z = 0.
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {Float64Array}
+ */
+export function point(value, name) {
+    const given = numbers(value, name);
+    const length = lengthOfNumbers(given);
+    if (length !== 2 && length !== 3) {
+        throw new KnotworkError('WRONG_LENGTH', name, `${name} has ${length} numbers; a point has 2 or 3.`);
+    }
+    const own = new Float64Array(3);
+    copyInto(own, given, 0);
+    for (let i = 0; i < 3; ++i) finite(own[i], `${name}[${i}]`);
+    return own;
+}
+
 /** @param {unknown} value @param {string} name @param {number} i */
 function numberAt(value, name, i) {
     return typeof value === 'number' ? value : finite(value, `${name}[${i}]`);

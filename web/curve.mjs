@@ -1,7 +1,8 @@
 // Curves as values: what every kind answers, and what B-spline and blending curves answer besides.
 
 import {
-    choice, copyInto, derivativeOrder, finite, integer, lengthOfNumbers, numbers, options, sampleCount, target,
+    choice, copyInto, derivativeOrder, finite, integer, lengthOfNumbers, numbers, options, point, sampleCount,
+    target,
 } from './check.mjs';
 import { boehmOrOslo, factorRows, matrixRows, refinedKnots, removal } from './bspline-curve.mjs';
 import { Held } from './held.mjs';
@@ -96,6 +97,16 @@ export class Curve extends Held {
         return { points: both.slice(0, 3 * count), parameters: both.slice(3 * count) };
     }
 
+    /** The moving frame, curvature and torsion. @param {number} t @param {{ side?: Side }} [given] */
+    frame(t, given) {
+        const { core, handle } = Held.of(this);
+        core.ask('curveFrame', handle, finite(t, 't'), sideNumber(options(given, ['side']).side));
+        return {
+            point: core.point(0), tangent: core.point(1), normal: core.point(2), binormal: core.point(3),
+            curvature: core.number(12), torsion: core.number(13),
+        };
+    }
+
     /** The length from a to b, by default of all of it. @param {number} [a] @param {number} [b] */
     length(a, b) {
         const { core, handle } = Held.of(this);
@@ -108,6 +119,16 @@ export class Curve extends Held {
         const { core, handle } = Held.of(this);
         core.ask('curveParameterAtLength', handle, finite(s, 's'));
         return core.number(0);
+    }
+
+    /** The point nearest to a place. @param {ArrayLike<number>} p */
+    closestPoint(p) {
+        const { core, handle } = Held.of(this);
+        const place = point(p, 'p');
+        core.ask('curveClosestPoint', handle, place[0], place[1], place[2]);
+        /** @type {[number, number, number]} */
+        const found = [core.number(1), core.number(2), core.number(3)];
+        return { t: core.number(0), point: found, distance: core.number(4) };
     }
 
     /** What it was made from, defaults filled in. */

@@ -245,6 +245,18 @@ export type SubdivisionCurveSpec = Subdivision & { type: 'subdivision-curve' };
 export type CurveSpec = BsplineCurveSpec | ParametricCurveSpec | BlendingCurveSpec | BezierCurveSpec
     | LineCurveSpec | ArcCurveSpec | SubdivisionCurveSpec;
 
+/** A right-handed orthonormal basis that moves along a curve, all of it finite everywhere. */
+export interface Frame {
+    point: Point3;
+    tangent: Point3;
+    /** The left normal in the plane; in space it points to the centre of curvature. */
+    normal: Point3;
+    binormal: Point3;
+    /** In the plane positive in a left turn, in space not negative; 0 at a cusp, which has none. */
+    curvature: number;
+    torsion: number;
+}
+
 /** Outside its domain a closed curve wraps and any other is OUT_OF_RANGE. */
 export interface Curve extends Disposable {
     readonly domain: [number, number];
@@ -261,13 +273,23 @@ export interface Curve extends Disposable {
     sample(count: number, options?: IntoOption): Float64Array;
     /** All positions, then all first derivatives, …. */
     sampleAt(ts: Numbers, options?: IntoOption & { derivatives?: number }): Float64Array;
-    /** A polyline that is nowhere further from the curve than the tolerance (default 0.001). */
+    /**
+     * A polyline that is nowhere further from the curve than the tolerance (default 0.001), every
+     * knot among its points; TOO_LARGE where that takes more than 4 million of them.
+     */
     polyline(options?: { tolerance?: number }): { points: Float64Array; parameters: Float64Array };
+    /**
+     * The moving frame. Where the curve stands still its tangent is the limit from the side, where
+     * it is straight in space its normal is carried along without turning about the tangent.
+     */
+    frame(t: number, options?: { side?: 'left' | 'right' }): Frame;
     /**
      * The length from a to b, by default from end to end. A closed curve is followed from a in its
      * direction, through the seam where b lies before a; of any other, a must not lie after b.
      */
     length(a?: number, b?: number): number;
+    /** The nearest point of the curve; of several the one with the smallest parameter. */
+    closestPoint(p: Point): { t: number; point: Point3; distance: number };
     /** The parameter at which the length from the start is s: the inverse of length(). */
     parameterAtLength(s: number): number;
     /** What it was made from, defaults filled in. */

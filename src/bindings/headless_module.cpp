@@ -45,6 +45,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("curveAt", &Session::curveAt)
         .function("curvePolyline", &Session::curvePolyline)
         .function("parametricCurves", &Session::parametricCurves)
+        .function("curveFrame", &Session::curveFrame)
+        .function("curveClosestPoint", &Session::curveClosestPoint)
         .function("curveLength", &Session::curveLength)
         .function("curveParameterAtLength", &Session::curveParameterAtLength)
         .function("curveKnots", &Session::curveKnots)

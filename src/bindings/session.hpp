@@ -99,6 +99,10 @@ public:
     [[nodiscard]] std::string parametricCurves() const;
 
     // What is measured on curves of every kind. NaN stands for an end that is not given.
+    /// block: point, tangent, normal and binormal, curvature, torsion; `side` as for derivatives.
+    [[nodiscard]] bool curveFrame(int handle, double t, int side);
+    /// block: t, x, y, z, distance of the point nearest to a place.
+    [[nodiscard]] bool curveClosestPoint(int handle, double x, double y, double z);
     /// block: the length from a to b.
     [[nodiscard]] bool curveLength(int handle, double a, double b);
     /// block: the parameter at the length s.

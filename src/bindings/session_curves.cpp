@@ -132,10 +132,14 @@ int Session::curvePolyline(int handle, double tolerance) {
         refuse(distance.error());
         return -1;
     }
-    Polyline line = polyline(held->curve, tolerance);
-    const std::size_t points = line.parameters.size();
-    line.xyz.insert(line.xyz.end(), line.parameters.begin(), line.parameters.end());
-    return leave(std::move(line.xyz), points);
+    auto line = polylineWithin(held->curve, tolerance);
+    if (!line) {
+        refuse(line.error());
+        return -1;
+    }
+    const std::size_t points = line->parameters.size();
+    line->xyz.insert(line->xyz.end(), line->parameters.begin(), line->parameters.end());
+    return leave(std::move(line->xyz), points);
 }
 
 std::string Session::parametricCurves() const {

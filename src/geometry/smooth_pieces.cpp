@@ -60,53 +60,33 @@ std::vector<double> kinks(const BFunction& blend) {
     return all;
 }
 
-void addBreaks(const Curve& curve, const Interval& part, std::vector<double>& breaks);
-
-/// The knots of a local curve's source inside a part of the blending curve's parameter, which lies
-/// `shift` before the local's own.
-void addBreaksOf(const LocalCurve& local, const Interval& part, double shift,
-                 std::vector<double>& breaks) {
-    const auto into = [&](double t) { return local.rate() * (t - shift) + local.shift(); };
-    std::vector<double> own;
-    addBreaks(local.source(), {into(part.start), into(part.end)}, own);
-    for (const double s : own) breaks.push_back((s - local.shift()) / local.rate() + shift);
-}
-
-/// Inside one turn of a closed blending curve, or anywhere of an open one.
-void addBreaksOf(const BlendingCurve& blend, const Interval& part, double turn,
-                 std::vector<double>& breaks) {
+/// Where between the knots of one turn the B-function of a blending curve is not smooth.
+void addKinks(const BlendingCurve& blend, const Interval& part, double turn,
+              std::vector<double>& breaks) {
     const std::vector<double>& knots = blend.knots();
-    const std::vector<LocalCurve>& locals = blend.locals();
-    std::vector<double> corners = kinks(blend.blend());
-    if (corners.size() * knots.size() > mostKinks) corners.clear();
+    const std::vector<double> corners = kinks(blend.blend());
+    if (corners.size() * knots.size() > mostKinks) return;
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
         const double h = knots[i + 1] - knots[i];
-        if (!(h > 0)) continue;
-        const bool wraps = blend.closed() && i + 1 == locals.size();
-        const bool before = !blend.closed() && i == 0;
-        const bool after = !blend.closed() && i + 2 == knots.size();
-        const Interval span{before ? part.start : std::max(part.start, knots[i] + turn),
-                            after ? part.end : std::min(part.end, knots[i + 1] + turn)};
-        if (!(span.length() > 0)) continue;
-        for (const double x : corners) breaks.push_back(knots[i] + x * h + turn);
-        addBreaksOf(locals[i], span, turn, breaks);
-        const double period = knots.back() - knots.front();
-        addBreaksOf(locals[wraps ? 0 : i + 1], span, wraps ? turn + period : turn, breaks);
+        for (const double x : corners) {
+            const double t = knots[i] + x * h + turn;
+            if (part.start < t && t < part.end) breaks.push_back(t);
+        }
     }
 }
 
-void addBreaks(const Curve& curve, const Interval& part, std::vector<double>& breaks) {
-    const std::vector<double> own = breakParameters(curve, part);
-    breaks.insert(breaks.end(), own.begin(), own.end());
+std::vector<double> breaksOf(const Curve& curve, const Interval& part) {
+    std::vector<double> breaks = breakParameters(curve, part);
     const auto* blend = curve.as<BlendingCurve>();
-    if (blend == nullptr) return;
-    if (!blend->closed()) return addBreaksOf(*blend, part, 0, breaks);
+    if (blend == nullptr || blend->blend().smooth()) return breaks;
     const Interval whole = blend->domain();
-    const double period = whole.length();
-    const double last = std::floor((part.end - whole.start) / period);
-    for (double k = std::floor((part.start - whole.start) / period); k <= last; ++k) {
-        addBreaksOf(*blend, part, k * period, breaks);
+    const auto turnOf = [&](double t) {
+        return blend->closed() ? std::floor((t - whole.start) / whole.length()) : 0;
+    };
+    for (double k = turnOf(part.start); k <= turnOf(part.end); ++k) {
+        addKinks(*blend, part, k * whole.length(), breaks);
     }
+    return breaks;
 }
 
 /// Equal parameters, also those that differ by the rounding of a local's own parameter, once.
@@ -135,14 +115,19 @@ void addPieces(const Interval& smooth, double longest, std::vector<Interval>& pi
 
 }  // namespace
 
+bool isPiecewiseRational(const Curve& curve) noexcept {
+    if (const auto* local = curve.as<LocalCurve>()) return isPiecewiseRational(local->source());
+    return curve.as<BsplineCurve>() != nullptr || curve.as<BezierCurve>() != nullptr ||
+           curve.as<LineCurve>() != nullptr || curve.as<SubdivisionCurve>() != nullptr;
+}
+
 std::vector<Interval> smoothPieces(const Curve& curve, const Interval& part) {
-    std::vector<double> breaks;
-    addBreaks(curve, part, breaks);
+    std::vector<double> breaks = breaksOf(curve, part);
     tidy(breaks, part);
     breaks.push_back(part.end);
-    const bool polynomial = curve.as<BsplineCurve>() != nullptr;
-    const double longest = polynomial ? std::numeric_limits<double>::infinity()
-                                      : domain(curve).length() / piecesOfDomain;
+    const double longest = isPiecewiseRational(curve)
+                               ? std::numeric_limits<double>::infinity()
+                               : domain(curve).length() / piecesOfDomain;
     std::vector<Interval> pieces;
     double start = part.start;
     for (const double end : breaks) {

@@ -1,123 +1,288 @@
 #include "geometry/tessellation.hpp"
 
+#include "geometry/smooth_pieces.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace knotwork {
 
 namespace {
 
-constexpr std::size_t maximumPoints = std::size_t{1} << 17;
-/// Every smooth piece begins as this many chords, so that a whole turn is not taken for a point
-/// and an inflexion in the middle of a chord not for a straight line.
-constexpr int firstChords = 4;
-/// A model given by a formula has no knots: it is cut into this many pieces first.
-constexpr int formulaPieces = 32;
-/// Chords are not halved more often than this: 2⁻²⁴ of a piece is below any picture's resolution.
-constexpr int maximumDepth = 24;
-/// The error is looked at in three points of a chord only, hence this share of the tolerance.
-constexpr double share = 0.9;
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// What chords may use up of the tolerance; the rest is for points that are taken for one.
+constexpr double share = 0.98;
+/// Points closer than this share of the tolerance are taken for one.
+constexpr double sameShare = 0.01;
+/// A stretch is divided evenly when its bound asks for at most this times as many chords as its
+/// curvature does (and one more).
+constexpr double tight = 1.1;
 
-/// Where the curve is cut before anything is looked at, the ends of the part included.
-std::vector<double> cuts(const Curve& curve, const Interval& part) {
-    std::vector<double> breaks = breakParameters(curve, part);
-    if (breaks.empty()) {
-        for (int i = 1; i < formulaPieces; ++i) {
-            breaks.push_back(part.start + part.length() * i / formulaPieces);
-        }
-    }
-    breaks.insert(breaks.begin(), part.start);
-    breaks.push_back(part.end);
-    return breaks;
-}
+/// Where a stretch is looked at once more before it is accepted: a flat end of a B-function says
+/// nothing about the steep part beside it.
+constexpr double secondLooks[] = {1.0 / 16, 15.0 / 16};
 
-double distanceToChord(const Vec3& p, const Vec3& a, const Vec3& b) noexcept {
-    const Vec3 chord = b - a;
-    const double squared = glm::dot(chord, chord);
-    if (squared == 0) return glm::length(p - a);
-    const double along = std::clamp(glm::dot(p - a, chord) / squared, 0.0, 1.0);
-    return glm::length(p - a - along * chord);
-}
-
-struct Sample {
+/// Derivatives up to the fifth at one parameter.
+struct Probe {
     double t;
-    Vec3 point;
+    std::array<Vec3, 6> rows;
 };
 
-/// A chord with the three points at which its error is looked at.
-struct Chord {
-    std::array<Sample, 5> at;
-    int depth;
+Probe probe(const Curve& curve, double t, Side side) noexcept {
+    Probe made{t, {}};
+    evaluate(curve, t, side, made.rows);
+    return made;
+}
 
-    [[nodiscard]] bool within(double tolerance) const noexcept {
-        for (std::size_t i = 1; i < 4; ++i) {
-            if (!(distanceToChord(at[i].point, at[0].point, at[4].point) <= tolerance)) return false;
+/// Σ terms[k] r^k/k!, the last once more for what comes after it.
+double majorant(const std::array<double, 4>& terms, double r) noexcept {
+    const double last = terms[3] * r * r * r / 6;
+    return terms[0] + r * (terms[1] + r / 2 * terms[2]) + 2 * last;
+}
+
+/// Bounds on the curve within `r` of a probe: of |C″|, of |C′ × C″| and of |C″(t) × C‴(u)|, and
+/// the least |C′|.
+struct Bounds {
+    double bend = 0;
+    double turn = 0;
+    double twist = 0;
+    double speed = std::numeric_limits<double>::infinity();
+
+    void add(const Probe& at, double r) noexcept {
+        const auto& c = at.rows;
+        const auto size = [](const Vec3& v) { return glm::length(v); };
+        const auto area = [](const Vec3& a, const Vec3& b) { return glm::length(glm::cross(a, b)); };
+        const double bends = majorant({size(c[2]), size(c[3]), size(c[4]), size(c[5])}, r);
+        bend = larger(bend, bends);
+        turn = larger(turn, majorant({area(c[1], c[2]), area(c[1], c[3]),
+                                      area(c[2], c[3]) + area(c[1], c[4]),
+                                      2 * area(c[2], c[4]) + area(c[1], c[5])}, r));
+        twist = larger(twist, majorant({area(c[2], c[3]), 5 * area(c[2], c[4]),
+                                        area(c[3], c[4]) + area(c[2], c[5]), area(c[3], c[5])}, r));
+        speed = std::min(speed, size(c[1]) - r * bends);
+    }
+    /// Where C″ differs between two probes by more than their C‴ allows, there is a place near them
+    /// at which the curve is less smooth than its pieces promise, and C″ may be larger by that much.
+    void distrust(const Probe& a, const Probe& b, double r) noexcept {
+        double allowed = 0;
+        for (const Probe* at : {&a, &b}) {
+            const auto& c = at->rows;
+            allowed += r * majorant({glm::length(c[3]), glm::length(c[4]), glm::length(c[5]), 0}, r);
+        }
+        const double excess = 2 * (glm::length(b.rows[2] - a.rows[2]) - allowed);
+        if (!(excess > 0)) return;
+        bend += excess;
+        turn += excess * std::max(glm::length(a.rows[1]), glm::length(b.rows[1]));
+    }
+    /// Not finite as soon as one of them is not.
+    static double larger(double a, double b) noexcept {
+        return std::isfinite(b) ? std::max(a, b) : std::numeric_limits<double>::infinity();
+    }
+};
+
+/// A part of a smooth piece with probes at its ends and its middle.
+struct Stretch {
+    Probe start;
+    Probe middle;
+    Probe end;
+
+    [[nodiscard]] double length() const noexcept { return end.t - start.t; }
+    [[nodiscard]] bool divisible() const noexcept {
+        return length() > 8 * epsilon * std::max(std::abs(start.t), std::abs(end.t)) &&
+               length() > 1e-300;
+    }
+};
+
+/// The bound on the deviation of chords over parameters of length h; see the header. The direction
+/// of the chord is within the turn θ of every tangent, hence the cosine, and C′ at one place of the
+/// chord differs from that at another across C″ by at most h² |C″ × C‴|.
+double deviation(const Bounds& on, double h) noexcept {
+    const double anyway = on.bend * h * h / 8;
+    if (!(on.speed > 0)) return anyway;
+    const double theta = h * on.turn / (on.speed * on.speed);
+    if (!(theta < 1)) return anyway;
+    return std::min(anyway, h * h / 8 * (on.turn + h * h * on.twist) / (on.speed * std::cos(theta)));
+}
+
+/// How many chords the curvature asks for: H √(κ|C′|²/8ε), by Simpson's rule.
+double wanted(const Stretch& on, double tolerance) noexcept {
+    const auto density = [&](const Probe& at) {
+        const double speed = glm::length(at.rows[1]);
+        const double turn = glm::length(glm::cross(at.rows[1], at.rows[2]));
+        return speed > 0 ? std::sqrt(turn / speed / (8 * tolerance)) : 0;
+    };
+    return on.length() * (density(on.start) + 4 * density(on.middle) + density(on.end)) / 6;
+}
+
+Bounds boundsOf(const Stretch& on) noexcept {
+    Bounds bounds;
+    const double r = on.length() / 4;
+    for (const Probe* at : {&on.start, &on.middle, &on.end}) bounds.add(*at, r);
+    bounds.distrust(on.start, on.middle, r);
+    bounds.distrust(on.middle, on.end, r);
+    return bounds;
+}
+
+/// The least number of equal chords that the bounds allow; infinite where there are none.
+double needed(const Stretch& on, const Bounds& bounds, double tolerance) noexcept {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (!std::isfinite(bounds.bend)) return none;
+    double most = std::ceil(on.length() * std::sqrt(bounds.bend / (8 * tolerance)));
+    if (!(most > 1)) return 1;
+    if (!(bounds.speed > 0)) return most;
+    double count = std::ceil(on.length() * std::sqrt(bounds.turn / bounds.speed / (8 * tolerance)));
+    count = std::max(count, 1.0);
+    while (count < most && !(deviation(bounds, on.length() / count) <= tolerance)) {
+        count = std::max(count + 1, std::floor(count * 1.02));
+    }
+    return std::min(count, most);
+}
+
+/// Where nothing bounds the curve (a derivative is infinite), its points must be all but one, or
+/// none at all.
+bool isPoint(const Stretch& on, double tolerance) noexcept {
+    if (!isFinite(on.middle.rows[0])) return true;
+    return glm::length(on.middle.rows[0] - on.start.rows[0]) <= tolerance / 4 &&
+           glm::length(on.end.rows[0] - on.middle.rows[0]) <= tolerance / 4;
+}
+
+/// An interval that is divided into so many chords of equal parameters.
+struct Chords {
+    double start;
+    double end;
+    std::size_t count;
+    bool beginsPiece;
+    bool endsPiece;
+};
+
+class Planner {
+public:
+    Planner(const Curve& curve, double tolerance, std::size_t most)
+        : curve_(curve), tolerance_(share * tolerance), most_(most),
+          looksTwice_(!isPiecewiseRational(curve)) {}
+
+    /// False when it takes too many points.
+    bool piece(const Interval& over) {
+        open_.clear();
+        open_.push_back(between(probe(curve_, over.start, Side::right),
+                                probe(curve_, over.end, Side::left)));
+        bool begins = true;
+        while (!open_.empty()) {
+            const Stretch top = open_.back();
+            open_.pop_back();
+            const double count = chordsOf(top);
+            if (count > static_cast<double>(most_ - total_)) return false;
+            if (count == 0) {
+                open_.push_back(between(top.middle, top.end));
+                open_.push_back(between(top.start, top.middle));
+                continue;
+            }
+            plan_.push_back({top.start.t, top.end.t, static_cast<std::size_t>(count), begins,
+                             open_.empty()});
+            total_ += static_cast<std::size_t>(count);
+            begins = false;
         }
         return true;
     }
+
+    [[nodiscard]] const std::vector<Chords>& plan() const noexcept { return plan_; }
+    [[nodiscard]] std::size_t total() const noexcept { return total_; }
+
+private:
+    [[nodiscard]] Stretch between(const Probe& a, const Probe& b) const noexcept {
+        return {a, probe(curve_, a.t + (b.t - a.t) / 2, Side::right), b};
+    }
+
+    /// How many chords, or 0 for a stretch that is to be halved.
+    [[nodiscard]] double chordsOf(const Stretch& on) const noexcept {
+        if (!on.divisible()) return 1;
+        const Bounds bounds = boundsOf(on);
+        const double count = needed(on, bounds, tolerance_);
+        if (!std::isfinite(count)) return isPoint(on, tolerance_) ? 1 : 0;
+        if (count > 1 && count > tight * wanted(on, tolerance_) + 1) return 0;
+        return looksTwice_ && !holds(bounds, on, count) ? 0 : count;
+    }
+
+    /// Whether the bounds hold, as far as they matter, also in other places than the three.
+    [[nodiscard]] bool holds(const Bounds& bounds, const Stretch& on, double count) const noexcept {
+        const double h = on.length() / count;
+        for (const double place : secondLooks) {
+            std::array<Vec3, 3> rows;
+            evaluate(curve_, on.start.t + place * on.length(), Side::right, rows);
+            const double bend = glm::length(rows[2]);
+            if (bend * h * h / 8 <= tolerance_) continue;
+            const double turn = glm::length(glm::cross(rows[1], rows[2]));
+            if (!(bend <= bounds.bend && turn <= bounds.turn)) return false;
+        }
+        return true;
+    }
+
+    const Curve& curve_;
+    double tolerance_;
+    std::size_t most_;
+    bool looksTwice_;
+    std::size_t total_ = 0;
+    std::vector<Chords> plan_;
+    std::vector<Stretch> open_;
 };
 
-class Refiner {
+/// Makes the points of a plan.
+class Writer {
 public:
-    Refiner(const Curve& curve, double tolerance) : curve_(curve), tolerance_(share * tolerance) {}
+    Writer(const Curve& curve, double tolerance, std::size_t points)
+        : curve_(curve), sampler_(curve), tolerance_(tolerance) {
+        line_.parameters.reserve(points);
+        line_.xyz.reserve(3 * points);
+    }
 
-    void piece(double start, double end) {
-        for (int i = 0; i < firstChords; ++i) {
-            const double a = start + (end - start) * i / firstChords;
-            const double b = i + 1 == firstChords ? end
-                                                  : start + (end - start) * (i + 1) / firstChords;
-            refine(sample(a, Side::right), sample(b, Side::left));
+    void chords(const Chords& on) {
+        if (on.beginsPiece) end(on.start, Side::right);
+        std::array<double, blockSize> ts{};
+        const Interval over{on.start, on.end};
+        const std::size_t inner = on.endsPiece ? on.count - 1 : on.count;
+        for (std::size_t done = 0; done < inner; done += blockSize) {
+            const std::size_t part = std::min(blockSize, inner - done);
+            for (std::size_t i = 0; i < part; ++i) {
+                ts[i] = uniformParameter(over, done + i + 1, on.count + 1);
+            }
+            inside({ts.data(), part});
         }
+        if (on.endsPiece) end(on.end, Side::left);
     }
 
     [[nodiscard]] Polyline take() { return std::move(line_); }
 
 private:
-    [[nodiscard]] Sample sample(double t, Side side) const noexcept {
-        Sample made{t, {}};
-        evaluate(curve_, t, side, {&made.point, 1});
-        return made;
+    static constexpr std::size_t blockSize = 256;
+
+    void inside(std::span<const double> ts) {
+        const std::size_t before = line_.xyz.size();
+        line_.parameters.insert(line_.parameters.end(), ts.begin(), ts.end());
+        line_.xyz.resize(before + 3 * ts.size());
+        sampler_.at(ts, 0, std::span(line_.xyz).subspan(before));
     }
 
-    /// The chord from one sample to another, its inner ones half way between those known.
-    [[nodiscard]] Chord chord(const Sample& a, const Sample& middle, const Sample& b,
-                              int depth) const noexcept {
-        return {{a, sample((a.t + middle.t) / 2, Side::right), middle,
-                 sample((middle.t + b.t) / 2, Side::right), b},
-                depth};
-    }
-
-    void refine(const Sample& a, const Sample& b) {
-        append(a);
-        open_.push_back(chord(a, sample((a.t + b.t) / 2, Side::right), b, 0));
-        while (!open_.empty()) {
-            const Chord top = open_.back();
-            open_.pop_back();
-            const bool full = line_.parameters.size() + open_.size() >= maximumPoints;
-            if (full || top.depth >= maximumDepth || top.within(tolerance_)) {
-                append(top.at[4]);
-                continue;
-            }
-            open_.push_back(chord(top.at[2], top.at[3], top.at[4], top.depth + 1));
-            open_.push_back(chord(top.at[0], top.at[1], top.at[2], top.depth + 1));
-        }
-    }
-
-    /// Where the curve does not jump, the end of one chord is the beginning of the next.
-    void append(const Sample& s) {
-        if (!line_.parameters.empty() && line_.parameters.back() == s.t) {
+    /// The end of a piece. Where the curve does not jump, it is also the beginning of the next one.
+    void end(double t, Side side) {
+        Vec3 point;
+        evaluate(curve_, t, side, {&point, 1});
+        if (!line_.parameters.empty() && line_.parameters.back() == t) {
             const double* last = line_.xyz.data() + line_.xyz.size() - 3;
-            if (glm::length(Vec3(last[0], last[1], last[2]) - s.point) <= tolerance_) return;
+            const double rounding = 8 * epsilon * glm::length(point);
+            const double jump = glm::length(Vec3(last[0], last[1], last[2]) - point);
+            if (jump <= std::max(sameShare * tolerance_, rounding)) return;
         }
-        line_.parameters.push_back(s.t);
-        line_.xyz.insert(line_.xyz.end(), {s.point.x, s.point.y, s.point.z});
+        line_.parameters.push_back(t);
+        line_.xyz.insert(line_.xyz.end(), {point.x, point.y, point.z});
     }
 
     const Curve& curve_;
+    CurveSampler sampler_;
     double tolerance_;
     Polyline line_;
-    std::vector<Chord> open_;
 };
 
 /// A polyline is its own: its ends and its corners, whatever the tolerance.
@@ -135,18 +300,40 @@ Polyline corners(const Curve& curve, const Interval& part) {
     return line;
 }
 
+std::optional<Polyline> withAtMost(const Curve& curve, const Interval& part, double tolerance,
+                                   std::size_t most) {
+    if (curve.as<SubdivisionCurve>() != nullptr) return corners(curve, part);
+    const std::vector<Interval> pieces = smoothPieces(curve, part);
+    Planner planner(curve, tolerance, std::max(most, 2 * pieces.size()));
+    for (const Interval& piece : pieces) {
+        if (!planner.piece(piece)) return std::nullopt;
+    }
+    Writer writer(curve, tolerance, planner.total() + pieces.size() + 1);
+    for (const Chords& chords : planner.plan()) writer.chords(chords);
+    return writer.take();
+}
+
 }  // namespace
+
+Result<Polyline> polylineWithin(const Curve& curve, double tolerance) {
+    auto line = withAtMost(curve, domain(curve), tolerance, mostPolylinePoints);
+    if (line) return *std::move(line);
+    return refuse(Code::tooLarge, "tolerance",
+                  "A tolerance of " + formatNumber(tolerance) + " takes more than " +
+                      std::to_string(mostPolylinePoints) +
+                      " points on this curve; give a larger one.");
+}
 
 Polyline polyline(const Curve& curve, double tolerance) {
     return polyline(curve, domain(curve), tolerance);
 }
 
 Polyline polyline(const Curve& curve, const Interval& part, double tolerance) {
-    if (curve.as<SubdivisionCurve>() != nullptr) return corners(curve, part);
-    Refiner refiner(curve, tolerance);
-    const std::vector<double> breaks = cuts(curve, part);
-    for (std::size_t i = 1; i < breaks.size(); ++i) refiner.piece(breaks[i - 1], breaks[i]);
-    return refiner.take();
+    for (;; tolerance *= 4) {  // half as many points
+        if (auto line = withAtMost(curve, part, tolerance, mostDrawnPoints)) {
+            return *std::move(line);
+        }
+    }
 }
 
 }  // namespace knotwork

@@ -65,3 +65,98 @@ test('lengths refuse what lies outside', () => {
     refuses(() => curve.length(), 'DISPOSED');
     assert.throws(() => curve.parameterAtLength(0));
 });
+
+test('frames have the curvature and torsion of closed forms', () => {
+    const pitch = 3;
+    const c = pitch / (2 * PI);
+    const helix = named('helix', { radius: 2, pitch, turns: 2 });
+    for (const t of [0, 1, 5]) {
+        const frame = helix.frame(t);
+        near(frame.curvature, 2 / (4 + c * c), 1e-14);
+        near(frame.torsion, c / (4 + c * c), 1e-14);
+        near(frame.point, helix.point(t), 1e-14);
+        near(frame.normal, [-Math.cos(t), -Math.sin(t), 0], 1e-14);
+    }
+    near(named('circle', { radius: 4 }).frame(7).curvature, 0.25, 1e-14);
+});
+
+test('curvature in the plane is signed and its normal is the left one', () => {
+    const right = kw.curve({ type: 'bspline-curve', degree: 2, points: [[0, 0], [1, 1], [2, 0]] });
+    const { curvature, normal, binormal, torsion } = right.frame(0.5);
+    near(curvature, -1, 1e-14);  // y = x − x²/2 at its top
+    near(normal, [0, 1, 0], 1e-14);
+    assert.deepEqual([binormal, torsion], [[0, 0, 1], 0]);
+});
+
+test('frames are finite and orthonormal at every knot, end and cusp', () => {
+    const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+    const still = kw.curve({ type: 'bspline-curve', degree: 3, points: Array(4).fill([1, 2, 3]) });
+    for (const curve of [...kinds(), named('astroid'), named('lemniscate'), still]) {
+        const [start, end] = curve.domain;
+        for (let i = 0; i <= 24; ++i) {
+            for (const side of ['left', 'right']) {
+                const { tangent, normal, binormal, curvature, torsion } =
+                    curve.frame(start + (end - start) * i / 24, { side });
+                near([dot(tangent, tangent), dot(normal, normal), dot(tangent, normal)], [1, 1, 0], 1e-14);
+                near([dot(binormal, tangent), dot(binormal, normal)], [0, 0], 1e-14);
+                assert.ok(Number.isFinite(curvature) && Number.isFinite(torsion));
+            }
+        }
+    }
+    near(named('astroid').frame(0).tangent, [-1, 0, 0], 1e-14);
+});
+
+test('frames refuse what lies outside', () => {
+    refuses(() => line().frame(1.5), 'OUT_OF_RANGE', 't');
+    refuses(() => line().frame(NaN), 'NOT_FINITE', 't');
+    refuses(() => line().frame('0'), 'WRONG_TYPE', 't');
+    refuses(() => line().frame(0, { side: 'up' }), 'UNKNOWN_NAME', 'side');
+    refuses(() => line().frame(0, { from: 'left' }), 'UNKNOWN_FIELD', 'from');
+});
+
+test('closestPoint finds the nearest point of all of the curve', () => {
+    near(line().closestPoint([3, 0]).point, [1.08, 1.44, 0], 1e-14);
+    const ellipse = named('ellipse', { a: 3, b: 1 });
+    const found = ellipse.closestPoint([2, 0]);
+    near([found.t, found.distance], [Math.acos(0.75), hypot(0.25, Math.sin(Math.acos(0.75)))], 1e-14);
+    const centre = named('circle').closestPoint([0, 0, 0]);
+    near([centre.t, centre.distance], [0, 1], 1e-15);
+    for (const curve of kinds()) {
+        const samples = curve.sample(5000);
+        for (const p of [[1, 0.3, 0.2], [-4, 2, 0], [0.1, 0, -30]]) {
+            let least = Infinity;
+            for (let i = 0; i < samples.length; i += 3) {
+                least = Math.min(least, hypot(samples[i] - p[0], samples[i + 1] - p[1], samples[i + 2] - p[2]));
+            }
+            const { t, point, distance } = curve.closestPoint(p);
+            assert.ok(distance <= least + 1e-14 && distance >= least - 1e-3, `${distance} of ${least}`);
+            near(point, curve.point(t), 1e-13);
+        }
+    }
+});
+
+test('closestPoint refuses what is no point', () => {
+    refuses(() => line().closestPoint(), 'WRONG_TYPE', 'p');
+    refuses(() => line().closestPoint([1]), 'WRONG_LENGTH', 'p');
+    refuses(() => line().closestPoint([1, '2']), 'WRONG_TYPE', 'p[1]');
+    refuses(() => line().closestPoint([NaN, 2]), 'NOT_FINITE', 'p[0]');
+    refuses(() => line().closestPoint(new Float64Array([1, 2, Infinity])), 'NOT_FINITE', 'p[2]');
+    refuses(() => line().closestPoint([1, 2, 1e13]), 'OUT_OF_RANGE', 'p[2]');
+});
+
+test('polyline honours its tolerance or says that it cannot', () => {
+    const radius = 3;
+    const circle = named('circle', { radius });
+    for (let tolerance = 1; tolerance > 0.9e-10; tolerance /= 10) {
+        const { points, parameters } = circle.polyline({ tolerance });
+        let worst = 0;
+        for (let i = 3; i < points.length; i += 3) {
+            const middle = hypot(points[i] + points[i - 3], points[i + 1] + points[i - 2]) / 2;
+            worst = Math.max(worst, radius - middle);
+        }
+        assert.ok(worst <= tolerance, `${worst} of ${tolerance}`);
+        const least = PI / Math.sqrt(2 * tolerance / radius);
+        assert.ok(parameters.length <= 1.1 * least + 34, `${parameters.length} points of ${least}`);
+    }
+    refuses(() => named('circle', { radius: 1e4 }).polyline({ tolerance: 1e-10 }), 'TOO_LARGE', 'tolerance');
+});

@@ -93,6 +93,7 @@ export const methods = {
         sampleAt: ['list', { derivatives: 'integer', into: 'into' }],
         polyline: [{ tolerance: 'number' }],
         length: ['number?', 'number?'], parameterAtLength: ['number'],
+        frame: ['number', { side: 'string' }], closestPoint: ['list'],
     },
     BsplineCurve: {
         insertKnot: ['number', 'integer?'], basis: ['number', { derivatives: 'integer' }], basisAt: ['list', { into: 'object' }],
