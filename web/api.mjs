@@ -32,6 +32,8 @@ export function makeApi(module) {
         interpolate: (request) => interpolate(core, request),
         /** @param {unknown} points @param {unknown} [given] */
         enclosingSphere: (points, given) => enclosingSphere(core, points, given),
+        /** @param {unknown} given the algorithm and its arguments */
+        trace: (given) => core.json('ask', 'trace', core.send(given)),
         /** @param {unknown} document */
         scene: (document) => openScene(core, document),
         get scenes() {

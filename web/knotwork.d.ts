@@ -58,6 +58,9 @@ export interface Knotwork {
     /** A sphere with all points in it, by default the smallest. */
     enclosingSphere(points: Points, options?: { method?: 'minimal' | 'ritter' | 'incremental' }): Sphere;
 
+    /** An algorithm step by step. */
+    trace(given: TraceArguments): Trace;
+
     scene(document: SceneDocument): Scene;
     /** The built-in scenes. */
     readonly scenes: BuiltinScene[];
@@ -441,6 +444,51 @@ export interface Fit {
 export interface Sphere {
     center: Point3;
     radius: number;
+}
+
+// Traces
+
+export type TraceArguments =
+    /** The evaluation of a curve at t. */
+    | { algorithm: 'de-boor' | 'cox-de-boor' | 'factor-matrices'; curve: BsplineCurveSpec; t: number }
+    | { algorithm: 'blend'; curve: BlendingCurveSpec; t: number }
+    /** One more knot. */
+    | { algorithm: 'boehm'; curve: BsplineCurveSpec; knot: number }
+    /** All knots of the refined curve, of one period where it is closed. */
+    | { algorithm: 'oslo'; curve: BsplineCurveSpec; knots: Numbers }
+    /** Degree 3, one level, open unless said otherwise. */
+    | { algorithm: 'lane-riesenfeld'; points: Points; closed?: boolean; degree?: number; levels?: number }
+    /** Tension 1/16, one level, open unless said otherwise. */
+    | { algorithm: 'four-point'; points: Points; closed?: boolean; tension?: number; levels?: number };
+
+/**
+ * The first frame shows where the algorithm begins, the last one its result: the last point of its
+ * points, or all of them where the result is a polygon.
+ */
+export interface Trace {
+    algorithm: TraceArguments['algorithm'];
+    frames: TraceFrame[];
+}
+
+export interface TraceFrame {
+    title: string;
+    /** One sentence that can be spoken: what happens in this step, with its numbers. */
+    text: string;
+    /** The picture at this step. */
+    points: Point3[];
+    /** Pairs of indices of points. */
+    edges: [number, number][];
+    /** Indices of the points that the step is about: active, or new. */
+    marked: number[];
+    /** Ratios, basis functions or weights of this step. */
+    weights?: number[];
+    /** By rows. */
+    matrix?: number[][];
+    /** MathML, with the numbers of this step. */
+    formula?: string;
+    /** Which sentence `text` is, and the numbers in it, for saying it in another language. */
+    key: string;
+    values: Record<string, string>;
 }
 
 // Scenes

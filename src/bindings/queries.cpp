@@ -10,7 +10,7 @@ namespace {
 std::array<std::span<const CurveQuery>, 2> curveTopics() noexcept {
     return {bsplineQueries(), subdivisionQueries()};
 }
-constexpr std::array<std::span<const FreeQuery>, 0> freeTopics{};
+std::array<std::span<const FreeQuery>, 1> freeTopics() noexcept { return {traceQueries()}; }
 
 template <class Query, std::size_t N>
 const Query* findIn(const std::array<std::span<const Query>, N>& topics,
@@ -29,6 +29,8 @@ const CurveQuery* findCurveQuery(std::string_view name) noexcept {
     return findIn(curveTopics(), name);
 }
 
-const FreeQuery* findFreeQuery(std::string_view name) noexcept { return findIn(freeTopics, name); }
+const FreeQuery* findFreeQuery(std::string_view name) noexcept {
+    return findIn(freeTopics(), name);
+}
 
 }  // namespace knotwork::bindings

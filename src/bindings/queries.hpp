@@ -41,6 +41,7 @@ struct FreeQuery {
 // Each of these stands in a file of its own: queries_<topic>.cpp.
 [[nodiscard]] std::span<const CurveQuery> bsplineQueries() noexcept;
 [[nodiscard]] std::span<const CurveQuery> subdivisionQueries() noexcept;
+[[nodiscard]] std::span<const FreeQuery> traceQueries() noexcept;
 
 /// All of them, for the session.
 [[nodiscard]] const CurveQuery* findCurveQuery(std::string_view name) noexcept;

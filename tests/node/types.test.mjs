@@ -57,6 +57,8 @@ const scene = kw.scene({ knotwork: 1, objects: [{ id: 'c1', ...spline.spec, show
     effects: [{ target: 'c1', kind: 'rotate', angle: 1, easing: { family: 'linear' } }] });
 scene.execute({ move: 'objects[0].points[2]', by: [1, 0], gesture: 'drag' });
 const shapes: { object: string, positions: Float64Array }[] = scene.drawing({ time: 2 }).shapes;
+const trace = kw.trace({ algorithm: 'lane-riesenfeld', points: new Float64Array(9), closed: true, degree: 2 });
+const said: [string, string | undefined] = [trace.frames[0].text, trace.frames[0].formula];
 const link: string = await kw.encodeLink(scene.document);
 kw.scene(await kw.decodeLink(link)).dispose();
 try { kw.curve(kw.scenes[0].document.objects![0]); } catch (error) {
@@ -65,7 +67,7 @@ try { kw.curve(kw.scenes[0].document.objects![0]); } catch (error) {
 const corners = kw.curve({ type: 'subdivision-curve', scheme: 'four-point', points: [[0, 0], [1, 0], [1, 1]], tension: 0.1 });
 const limits: Float64Array[] = [corners.limitPoints(), corners.limitTangents(), kw.subdivide(corners.spec)];
 const smooth = kw.subdivide({ scheme: 'lane-riesenfeld', degree: 3, points: new Float64Array(9), closed: true, levels: 2 }, { into: new Float64Array(36) });
-void [limits, smooth, orders, values, rows, flat, weights, points, parameters, derivatives, shapes];
+void [limits, smooth, orders, values, rows, flat, weights, points, parameters, derivatives, shapes, said];
 `;
 
 test('a program that uses everything compiles strictly', async () => {
@@ -111,6 +113,7 @@ function real(value) {
 
 const kw = await load();
 const circle = { type: 'parametric-curve', name: 'circle' };
+const factors = kw.trace({ algorithm: 'factor-matrices', t: 0.5, curve: { type: 'bspline-curve', degree: 1, points: [[0, 0], [1, 1]] } });
 const values = {
     Knotwork: kw,
     BFunction: kw.bFunction({ family: 'linear' }),
@@ -128,6 +131,8 @@ const values = {
     ParametricCurveModel: kw.parametricCurves[0],
     ParameterDescription: kw.bFunctions.find(({ parameters }) => parameters.length > 0).parameters[0],
     BuiltinScene: kw.scenes[0],
+    Trace: factors,
+    TraceFrame: factors.frames[1],
     Drawing: kw.scene(kw.scenes[0].document).drawing(),
     Shape: kw.scene(kw.scenes[0].document).drawing().shapes[0],
 };
