@@ -75,6 +75,17 @@ export const curves = [
     { type: 'subdivision-curve', scheme: 'four-point', points: polygon, closed: false, levels: 1, tension: 0.1 },
 ];
 
+export const traces = [
+    { algorithm: 'de-boor', curve: curves[0], t: 0.5 },
+    { algorithm: 'cox-de-boor', curve: curves[2], t: 0.5 },
+    { algorithm: 'factor-matrices', curve: curves[3], t: 0.5 },
+    { algorithm: 'boehm', curve: curves[0], knot: 0.5 },
+    { algorithm: 'oslo', curve: curves[0], knots: [0, 0, 0, 0, 1, 1.5, 2, 2, 2, 2] },
+    { algorithm: 'lane-riesenfeld', points: polygon, closed: true, degree: 2, levels: 1 },
+    { algorithm: 'four-point', points: polygon, closed: false, tension: 0.1, levels: 1 },
+    { algorithm: 'blend', curve: curves[8], t: 0.5 },
+];
+
 export const scenes = [
     { knotwork: 1, title: 'One', objects: [{ id: 'c1', ...curves[0] }, { id: 'c2', ...curves[8] }], effects: [{ target: 'c2', kind: 'rotate', period: 3 }] },
 ];

@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import {
-    bFunctions, curves, kindOf, methods, placesOf, refusalOf, scenes, withoutArguments, withValue, wrong, wrongCalls,
+    bFunctions, curves, kindOf, methods, placesOf, refusalOf, scenes, traces, withoutArguments, withValue, wrong,
+    wrongCalls,
 } from './hostile.mjs';
 import { load } from './support.mjs';
 
@@ -13,6 +14,7 @@ const takers = [
     ...bFunctions.map((spec) => ({ name: `bFunction ${spec.family}`, take: kw.bFunction, spec })),
     ...curves.map((spec, i) => ({ name: `curve ${i}, ${spec.type}`, take: kw.curve, spec })),
     ...scenes.map((spec) => ({ name: 'scene', take: kw.scene, spec })),
+    ...traces.map((spec) => ({ name: `trace ${spec.algorithm}`, take: kw.trace, spec })),
 ];
 
 /** The methods of a value, its prototypes' included. */
@@ -56,7 +58,7 @@ for (const [kind, value] of Object.entries(samples)) {
 for (const { name, take, spec } of takers) {
     test(`every place of ${name} refuses values of other kinds`, () => {
         const made = take(spec);
-        const canonical = made.spec ?? made.document;
+        const canonical = made.spec ?? made.document ?? spec;
         assert.deepEqual(take(canonical).spec, made.spec);
         let refused = 0;
         for (const { path, value } of placesOf(canonical)) {
