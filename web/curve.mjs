@@ -303,6 +303,8 @@ export class BlendingCurve extends Curve {
 export class BezierCurve extends Curve {}
 export class LineCurve extends Curve {}
 export class ArcCurve extends Curve {}
+/** Made of formulas in t. */
+export class FormulaCurve extends Curve {}
 /** A local curve of a blending curve where it takes part, posed. */
 export class LocalCurve extends Curve {}
 
@@ -321,6 +323,7 @@ export class SubdivisionCurve extends Curve {
 /** In the order of Curve::Kind. */
 const kinds = [
     BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve, ArcCurve, LocalCurve, SubdivisionCurve,
+    FormulaCurve,
 ];
 
 /**

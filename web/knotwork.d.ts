@@ -42,6 +42,7 @@ export interface Knotwork {
     curve(spec: LineCurveSpec): LineCurve;
     curve(spec: ArcCurveSpec): ArcCurve;
     curve(spec: SubdivisionCurveSpec): SubdivisionCurve;
+    curve(spec: FormulaCurveSpec): FormulaCurve;
     curve(spec: CurveSpec): Curve;
     /** The named curves and their parameters. */
     readonly parametricCurves: ParametricCurveModel[];
@@ -98,6 +99,8 @@ export type BFunctionSpec =
     | { family: 'expo-rational'; alpha?: number; beta?: number; gamma?: number; lambda?: number }
     | { family: 'logistic'; c?: number }
     | { family: 'tabulated'; values: Numbers }
+    /** The user's own B(t), a formula in t such as 't^2*(3-2*t)'; checked against the axioms. */
+    | { family: 'formula'; expression: string }
     | { family: 'dual' | 'symmetrised'; of: BFunctionSpec }
     | { family: 'composed'; outer: BFunctionSpec; inner: BFunctionSpec }
     | { family: 'mixed'; of: readonly [BFunctionSpec, BFunctionSpec]; weight?: number };
@@ -245,8 +248,25 @@ export type Subdivision = {
  */
 export type SubdivisionCurveSpec = Subdivision & { type: 'subdivision-curve' };
 
+/**
+ * Formulas in t and the named parameters: + - * / ^, parentheses, numbers, pi, e and sin cos tan
+ * asin acos atan sinh cosh tanh exp log sqrt abs. ^ is right-associative and binds tighter than a
+ * sign: -t^2 is −(t²). They must be finite on the domain, and go on outside it.
+ */
+export interface FormulaCurveSpec {
+    type: 'formula-curve';
+    x: string;
+    y: string;
+    /** Without it the curve is planar. */
+    z?: string;
+    parameters?: Record<string, number>;
+    domain: readonly [number, number];
+    /** The ends of the domain meet, and it is a period; default false. */
+    closed?: boolean;
+}
+
 export type CurveSpec = BsplineCurveSpec | ParametricCurveSpec | BlendingCurveSpec | BezierCurveSpec
-    | LineCurveSpec | ArcCurveSpec | SubdivisionCurveSpec;
+    | LineCurveSpec | ArcCurveSpec | SubdivisionCurveSpec | FormulaCurveSpec;
 
 /** A right-handed orthonormal basis that moves along a curve, all of it finite everywhere. */
 export interface Frame {
@@ -395,6 +415,10 @@ export interface SubdivisionCurve extends Curve {
      */
     limitTangents(): Float64Array;
     readonly spec: SubdivisionCurveSpec;
+}
+
+export interface FormulaCurve extends Curve {
+    readonly spec: FormulaCurveSpec;
 }
 
 export interface ParametricCurveModel {

@@ -22,6 +22,10 @@ const BFamilyDescription& describe(BFamily family) noexcept {
     return bFunctionFamilies()[static_cast<std::size_t>(family)];
 }
 
+bool byParametersAlone(const BFamilyDescription& family) noexcept {
+    return !family.tabulated && !family.expression && family.operands.empty();
+}
+
 /// The first refusal of these values, in the order of the family's parameters.
 std::optional<Error> check(BFamily family, std::initializer_list<double> values) {
     const auto parameters = describe(family).parameters;
@@ -89,6 +93,7 @@ std::string_view warningOf(const ExpoRational& family) noexcept {
 std::string_view warningOf(const Tabulated&) noexcept {
     return "a tabulated B-function has one continuous derivative";
 }
+std::string_view warningOf(const UserFormula& family) noexcept { return family.warning(); }
 std::string_view firstOf(std::string_view a, std::string_view b) noexcept {
     return a.empty() ? b : a;
 }
@@ -140,10 +145,10 @@ Result<BFunction> BFunction::makeLogistic(double c) {
 
 Result<BFunction> BFunction::make(std::string_view family, std::span<const NamedValue> parameters) {
     const BFamilyDescription* description = findBFamily(family);
-    if (description == nullptr || description->tabulated || !description->operands.empty()) {
+    if (description == nullptr || !byParametersAlone(*description)) {
         std::string known;
         for (const BFamilyDescription& each : bFunctionFamilies()) {
-            if (each.tabulated || !each.operands.empty()) continue;
+            if (!byParametersAlone(each)) continue;
             known += (known.empty() ? "" : ", ") + std::string(each.name);
         }
         return refuse(Code::unknownName, "family",
@@ -185,6 +190,12 @@ Result<BFunction> BFunction::makeTabulated(std::span<const double> values) {
         if (auto error = checkValue(values, i)) return *std::move(error);
     }
     return BFunction(Tabulated(values), {});
+}
+
+Result<BFunction> BFunction::makeFormula(std::string_view expression) {
+    auto made = UserFormula::make(expression);
+    if (!made) return made.error();
+    return BFunction(*std::move(made), {});
 }
 
 Result<BFunction> BFunction::nest(Form form, std::initializer_list<double> parameters,
@@ -297,6 +308,11 @@ std::span<const double> BFunction::values() const noexcept {
     return tabulated != nullptr ? tabulated->values() : std::span<const double>();
 }
 
+std::string_view BFunction::expression() const noexcept {
+    const auto* formula = std::get_if<UserFormula>(&form_);
+    return formula != nullptr ? formula->expression() : std::string_view();
+}
+
 std::vector<BFunction> BFunction::operands() const {
     if (const auto* dual = std::get_if<Dual>(&form_)) return {*dual->of};
     if (const auto* symmetrised = std::get_if<Symmetrised>(&form_)) return {*symmetrised->of};
@@ -309,6 +325,7 @@ std::vector<BFunction> BFunction::operands() const {
 
 bool operator==(const BFunction& a, const BFunction& b) noexcept {
     if (a.family() != b.family() || a.parameters_ != b.parameters_) return false;
+    if (a.expression() != b.expression()) return false;
     const auto valuesA = a.values();
     const auto valuesB = b.values();
     return std::equal(valuesA.begin(), valuesA.end(), valuesB.begin(), valuesB.end()) &&

@@ -31,13 +31,17 @@ public:
     static Result<BFunction> makeExpoRational(double alpha = 1, double beta = 1, double gamma = 1,
                                               double lambda = 0.5);
     static Result<BFunction> makeLogistic(double c = 1);
-    /// Any family without operands and values by its name. UNKNOWN_NAME at `family`, UNKNOWN_FIELD
+    /// Any family given by parameters alone by its name. UNKNOWN_NAME at `family`, UNKNOWN_FIELD
     /// at the name of a parameter that the family does not have.
     static Result<BFunction> make(std::string_view family, std::span<const NamedValue> parameters);
 
     /// Monotone C¹ interpolation of 2 to 100 000 values on a uniform grid, the first 0, the last 1,
     /// none below the one before it. WRONG_LENGTH or TOO_LARGE at `values`.
     static Result<BFunction> makeTabulated(std::span<const double> values);
+
+    /// The B(t) of a formula in t (see Formula), checked against the axioms; refusals at
+    /// `expression`.
+    static Result<BFunction> makeFormula(std::string_view expression);
 
     /// 1 − B(1−t); (B + dual)/2; outer(inner(t)); weight·first + (1−weight)·second. TOO_LARGE when
     /// nested deeper than 32 or when one value would take more than 1024 evaluations.
@@ -78,17 +82,19 @@ public:
     [[nodiscard]] std::span<const double> parameters() const noexcept;
     /// The values of a tabulated one, else empty.
     [[nodiscard]] std::span<const double> values() const noexcept;
+    /// What was typed for a formula, else empty.
+    [[nodiscard]] std::string_view expression() const noexcept;
     /// In the order of description().operands; empty for a family that takes none.
     [[nodiscard]] std::vector<BFunction> operands() const;
 
-    /// Same family, parameters, values and operands.
+    /// Same family, parameters, values, expression and operands.
     friend bool operator==(const BFunction& a, const BFunction& b) noexcept;
 
 private:
     using Form = std::variant<b_function::Linear, b_function::Trigonometric, b_function::Polynomial,
                               b_function::Rational, b_function::ExpoRational, b_function::Logistic,
-                              b_function::Tabulated, b_function::Dual, b_function::Symmetrised,
-                              b_function::Composed, b_function::Mixed>;
+                              b_function::Tabulated, b_function::UserFormula, b_function::Dual,
+                              b_function::Symmetrised, b_function::Composed, b_function::Mixed>;
 
     BFunction(Form form, std::initializer_list<double> parameters) noexcept;
     static Result<BFunction> nest(Form form, std::initializer_list<double> parameters,

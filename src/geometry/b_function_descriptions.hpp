@@ -20,6 +20,7 @@ enum class BFamily {
     expoRational,
     logistic,
     tabulated,
+    formula,
     dual,
     symmetrised,
     composed,
@@ -40,7 +41,8 @@ struct BFamilyDescription {
     std::string_view formula;  ///< B(t) in one line of text
     std::span<const ParameterDescription> parameters;
     std::span<const OperandDescription> operands;
-    bool tabulated = false;  ///< takes a list `values`
+    bool tabulated = false;   ///< takes a list `values`
+    bool expression = false;  ///< takes a text `expression`
 };
 
 namespace b_function::described {
@@ -158,7 +160,7 @@ inline constexpr std::array pair{OperandDescription{"of", "of", 2}};
 inline constexpr std::array chain{OperandDescription{"outer", "outer", 1},
                                   OperandDescription{"inner", "inner", 1}};
 
-inline constexpr std::array<BFamilyDescription, 11> families{{
+inline constexpr std::array<BFamilyDescription, 12> families{{
     {BFamily::linear, "linear", "Linear", "t", {}, {}},
     {BFamily::trigonometric,
      "trigonometric",
@@ -181,6 +183,7 @@ inline constexpr std::array<BFamilyDescription, 11> families{{
      {}},
     {BFamily::logistic, "logistic", "Logistic", "1 / (1 + exp(c (1/t − 1/(1−t))))", logistic, {}},
     {BFamily::tabulated, "tabulated", "Tabulated", "monotone cubics through values", {}, {}, true},
+    {BFamily::formula, "formula", "Formula", "an expression in t of your own", {}, {}, false, true},
     {BFamily::dual, "dual", "Dual", "1 − B(1−t)", {}, single},
     {BFamily::symmetrised, "symmetrised", "Symmetrised", "(B(t) + 1 − B(1−t)) / 2", {}, single},
     {BFamily::composed, "composed", "Composed", "outer(inner(t))", {}, chain},

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "geometry/b_function_expo_rational.hpp"
+#include "geometry/result.hpp"
 
 #include <array>
 #include <cstddef>
@@ -109,6 +110,34 @@ private:
     std::shared_ptr<const std::vector<Cell>> cells_;
     Powers powers_{};
     bool symmetric_ = false;
+};
+
+/// What a person typed. It has passed the axioms on a grid of 2 500 points that comes close to the
+/// ends; an end where the formula has a limit only (1/t in an exponent) counts with that limit.
+class UserFormula {
+public:
+    /// Refusals at `expression`: those of Formula; OUT_OF_RANGE or NOT_FINITE with the axiom that
+    /// does not hold, what was found and where. Cost: some 2 500 evaluations with two derivatives.
+    static Result<UserFormula> make(std::string_view expression);
+
+    [[nodiscard]] double value(double t) const noexcept;
+    void derivatives(double t, std::span<double> rows) const noexcept;
+    /// From the Taylor series at the ends: a coefficient below 1e-10 counts as 0. Where there is no
+    /// series, measured close to the end.
+    [[nodiscard]] Powers powers() const noexcept { return powers_; }
+    /// To 1e-12 on a grid.
+    [[nodiscard]] bool symmetric() const noexcept { return symmetric_; }
+    [[nodiscard]] std::string_view warning() const noexcept { return warning_; }
+    [[nodiscard]] std::string_view expression() const noexcept;
+
+private:
+    UserFormula() = default;
+
+    struct Checked;  // the formula and its derivatives at both ends
+    std::shared_ptr<const Checked> checked_;
+    Powers powers_{};
+    bool symmetric_ = false;
+    std::string_view warning_{};
 };
 
 using Operand = std::shared_ptr<const BFunction>;

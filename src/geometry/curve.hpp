@@ -9,6 +9,7 @@
 #include "geometry/bezier_curve.hpp"
 #include "geometry/blending_curve.hpp"
 #include "geometry/bspline_curve.hpp"
+#include "geometry/formula_curve.hpp"
 #include "geometry/interval.hpp"
 #include "geometry/line_curve.hpp"
 #include "geometry/local_curve.hpp"
@@ -28,7 +29,7 @@ namespace knotwork {
 class Curve {
 public:
     using Kind = std::variant<BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve,
-                              ArcCurve, LocalCurve, SubdivisionCurve>;
+                              ArcCurve, LocalCurve, SubdivisionCurve, FormulaCurve>;
 
     /// Of any of the kinds.
     template <class T>

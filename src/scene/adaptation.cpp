@@ -295,6 +295,7 @@ Json adaptFamily(const Json& before, const std::string& family) {
             operand.count == 1 ? before : Json::array({before, Json{{"family", "linear"}}});
     }
     if (description->tabulated) adapted["values"] = sampledValues(before);
+    if (description->expression) adapted["expression"] = "t^2*(3-2*t)";
     return adapted;
 }
 

@@ -45,6 +45,22 @@ constexpr std::array parametricFields{
           .help = "Where the parameter runs, [start, end]."},
 };
 
+constexpr std::array formulaFields{
+    Field{.name = "x", .label = "x(t)", .kind = FieldKind::text,
+          .help = "Formula in t and the parameters.", .required = true},
+    Field{.name = "y", .label = "y(t)", .kind = FieldKind::text,
+          .help = "Formula in t and the parameters.", .required = true},
+    Field{.name = "z", .label = "z(t)", .kind = FieldKind::text,
+          .help = "Formula in t and the parameters; without it the curve is planar."},
+    Field{.name = "parameters", .label = "Parameters", .kind = FieldKind::namedNumbers,
+          .help = "The numbers that the formulas name.", .defaultJson = "{}"},
+    Field{.name = "domain", .label = "Domain", .kind = FieldKind::interval,
+          .help = "Where the parameter runs, [start, end].", .required = true},
+    Field{.name = "closed", .label = "Closed", .kind = FieldKind::flag,
+          .help = "The curve ends where it begins, and goes on from there.",
+          .defaultJson = "false"},
+};
+
 constexpr std::array blendingFields{
     Field{.name = "bFunction", .label = "B-function", .kind = FieldKind::bFunction,
           .help = "Blends each local curve into the next.", .required = true},
@@ -135,6 +151,7 @@ constexpr std::array types{
     CurveType{"line-curve", "Line", lineFields},
     CurveType{"arc-curve", "Arc", arcFields},
     CurveType{"subdivision-curve", "Subdivision curve", subdivisionFields},
+    CurveType{"formula-curve", "Formula curve", formulaFields},
 };
 
 constexpr std::array poseTable{

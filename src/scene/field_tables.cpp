@@ -152,6 +152,11 @@ std::optional<std::vector<Field>> bFunctionFields(std::string_view family) {
                           .help = "B at uniform parameters, the first 0, the last 1.",
                           .required = true});
     }
+    if (description->expression) {
+        fields.push_back({.name = "expression", .label = "B(t)", .kind = FieldKind::text,
+                          .help = "A formula in t that rises from 0 at 0 to 1 at 1.",
+                          .required = true});
+    }
     return fields;
 }
 

@@ -36,6 +36,7 @@ enum class FieldKind {
     locals,      ///< { count, kind } or a list of curve specifications
     curveName,   ///< name of a parametric curve
     parameters,  ///< named parameters of a parametric curve
+    namedNumbers,  ///< numbers by names of the user's own (parameters of formulas)
     scale,       ///< one factor, or [sx, sy] or [sx, sy, sz]
     interval,    ///< [start, end]
     panes,       ///< list of names of panes

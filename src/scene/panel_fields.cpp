@@ -10,7 +10,7 @@ namespace knotwork::scene {
 
 namespace {
 
-constexpr std::array<std::pair<FieldKind, std::string_view>, 20> kindNames{{
+constexpr std::array<std::pair<FieldKind, std::string_view>, 21> kindNames{{
     {FieldKind::number, "number"},
     {FieldKind::integer, "integer"},
     {FieldKind::flag, "flag"},
@@ -27,6 +27,7 @@ constexpr std::array<std::pair<FieldKind, std::string_view>, 20> kindNames{{
     {FieldKind::locals, "locals"},
     {FieldKind::curveName, "choice"},
     {FieldKind::parameters, "parameters"},
+    {FieldKind::namedNumbers, "namedNumbers"},
     {FieldKind::scale, "scale"},
     {FieldKind::interval, "interval"},
     {FieldKind::panes, "panes"},
@@ -67,6 +68,7 @@ private:
                 }
                 break;
             case FieldKind::parameters: parameters(parent, value, path, group); break;
+            case FieldKind::namedNumbers: namedNumbers(value, path, inside); break;
             case FieldKind::locals: locals(value, path, inside); break;
             case FieldKind::curveName: leaf(field, value, path, group, parametricCurveChoices()); break;
             default: leaf(field, value, path, group, field.choices); break;
@@ -85,6 +87,14 @@ private:
                     const std::string& group) {
         if (const auto fields = curveParameterFields(stringOr(parent, "name", ""))) {
             members(value, *fields, path, group);
+        }
+    }
+
+    void namedNumbers(const Json& value, const std::string& path, const std::string& group) {
+        for (const auto& item : value.items()) {
+            const Field field{.name = item.key(), .label = item.key(), .kind = FieldKind::number,
+                              .help = "A number of the formula."};
+            leaf(field, item.value(), joinPath(path, item.key()), group, {});
         }
     }
 

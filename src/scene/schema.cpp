@@ -57,6 +57,8 @@ Json kindSchema(const Field& field) {
             return {{"anyOf", {objectSchema(localsFields()), listOf(reference("curve"))}}};
         case FieldKind::curveName: return names(parametricCurveChoices());
         case FieldKind::parameters: return {{"type", "object"}};
+        case FieldKind::namedNumbers:
+            return {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
         case FieldKind::scale: return {{"anyOf", {Json{{"type", "number"}}, tuple(2, 3)}}};
         case FieldKind::interval: return tuple(2, 2);
         case FieldKind::panes:

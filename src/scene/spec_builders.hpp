@@ -25,6 +25,7 @@ namespace knotwork::scene {
 
 /// What a checked specification says, with the fields filled in that belong to its scheme.
 [[nodiscard]] Result<CurveSubdivision> buildCurveSubdivision(Json& spec);
+[[nodiscard]] Result<Curve> buildFormula(Json& spec);
 
 // And back again, for what is computed.
 [[nodiscard]] Json specOf(const BsplineCurve& curve);

@@ -24,6 +24,7 @@ constexpr std::array builders{
     Builder{"line-curve", buildLine},
     Builder{"arc-curve", buildArc},
     Builder{"subdivision-curve", buildSubdivision},
+    Builder{"formula-curve", buildFormula},
 };
 
 /// The keys of a curve in the order of the tables: what was computed stands last until then.

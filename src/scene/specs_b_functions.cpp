@@ -36,6 +36,7 @@ Result<BFunction> buildBFunction(const Json& spec) {
     const BFamilyDescription& family = *findBFamily(name);
     switch (family.family) {
         case BFamily::tabulated: return BFunction::makeTabulated(numbersOf(*member(spec, "values")));
+        case BFamily::formula: return BFunction::makeFormula(stringOr(spec, "expression", ""));
         case BFamily::dual: return buildFromOne(spec, true);
         case BFamily::symmetrised: return buildFromOne(spec, false);
         case BFamily::composed: return buildComposed(spec);

@@ -157,6 +157,16 @@ Result<Json> readPair(const Json& given) {
     return readList(given, "a list of two B-functions", readBFunction);
 }
 
+Result<Json> readNamedNumbers(const Json& given) {
+    if (!given.is_object()) return wrongType("an object of numbers by name", given);
+    for (const auto& item : given.items()) {
+        if (const auto value = readFinite(item.value()); !value) {
+            return value.error().under(item.key());
+        }
+    }
+    return given;
+}
+
 /// The parameters of the parametric curve that `parent` names.
 Result<Json> readParameters(const Json& given, const Json& parent) {
     const auto fields = curveParameterFields(stringOr(parent, "name", ""));
@@ -186,6 +196,7 @@ Result<Json> readField(const Json& given, const Field& field, const Json& parent
         case FieldKind::locals: return readLocals(given);
         case FieldKind::curveName: return readName(given, parametricCurveChoices());
         case FieldKind::parameters: return readParameters(given, parent);
+        case FieldKind::namedNumbers: return readNamedNumbers(given);
         case FieldKind::scale: return readScale(given);
         case FieldKind::interval: return readTuple(given, 2, 2, "[start, end]");
         case FieldKind::panes:

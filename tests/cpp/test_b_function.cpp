@@ -250,13 +250,13 @@ TEST(BFunction, OrdersOfTheFamiliesAreThoseOfTheTable) {
 // --- derivatives ---------------------------------------------------------------------------------
 
 // The formulas of the table once more, for complex arguments.
-struct Formula {
+struct FamilyFormula {
     std::string name;
     BFunction function;
     std::function<Complex(Complex)> value;
 };
 
-std::vector<Formula> formulas() {
+std::vector<FamilyFormula> formulas() {
     using std::cos, std::exp, std::pow, std::sin;
     const double pi = std::numbers::pi;
     return {
@@ -280,7 +280,7 @@ std::vector<Formula> formulas() {
 }
 
 TEST(BFunction, ValuesAreThoseOfTheFormula) {
-    for (const Formula& formula : formulas()) {
+    for (const FamilyFormula& formula : formulas()) {
         for (const double t : {0.03, 0.2, 0.5, 0.81, 0.97}) {
             EXPECT_NEAR(formula.function.value(t), formula.value(t).real(), gates::bFunction)
                 << formula.name << " at " << t;
@@ -289,7 +289,7 @@ TEST(BFunction, ValuesAreThoseOfTheFormula) {
 }
 
 TEST(BFunction, SlopesAgreeWithTheComplexStepOfTheFormula) {
-    for (const Formula& formula : formulas()) {
+    for (const FamilyFormula& formula : formulas()) {
         for (const double t : {0.03, 0.2, 0.5, 0.81, 0.97}) {
             const double slope = test::complexStepDerivative(formula.value, t);
             EXPECT_NEAR(rowsOf(formula.function, t, 2)[1] / slope, 1, gates::complexStepSlope)
@@ -299,7 +299,7 @@ TEST(BFunction, SlopesAgreeWithTheComplexStepOfTheFormula) {
 }
 
 TEST(BFunction, HigherDerivativesAgreeWithCauchysIntegralOfTheFormula) {
-    for (const Formula& formula : formulas()) {
+    for (const FamilyFormula& formula : formulas()) {
         for (const double t : {0.2, 0.5, 0.81}) {
             const auto rows = rowsOf(formula.function, t, 7);
             for (int k = 2; k <= 6; ++k) {

@@ -41,6 +41,7 @@ export const bFunctions = [
     { family: 'expo-rational', alpha: 1, beta: 2, gamma: 0.5, lambda: 0.4 },
     { family: 'logistic', c: 2 },
     { family: 'tabulated', values: [0, 0.2, 0.9, 1] },
+    { family: 'formula', expression: 't^2*(3-2*t)' },
     { family: 'dual', of: { family: 'polynomial', p: 2, q: 1 } },
     { family: 'symmetrised', of: { family: 'polynomial', p: 2, q: 1 } },
     { family: 'composed', outer: { family: 'logistic' }, inner: { family: 'linear' } },
@@ -73,6 +74,7 @@ export const curves = [
     { type: 'subdivision-curve', scheme: 'lane-riesenfeld', points: polygon, closed: true, levels: 2, degree: 4 },
     { type: 'subdivision-curve', scheme: 'chaikin', points: polygon, levels: 3 },
     { type: 'subdivision-curve', scheme: 'four-point', points: polygon, closed: false, levels: 1, tension: 0.1 },
+    { type: 'formula-curve', x: 'a*t', y: 't^2', z: 'sin(t)', parameters: { a: 2 }, domain: [0, 1], closed: false },
 ];
 
 export const traces = [

@@ -37,6 +37,7 @@ const samples = {
     ArcCurve: kw.curve(curves[7]),
     BlendingCurve: kw.curve(curves[8]),
     SubdivisionCurve: kw.curve(curves[11]),
+    FormulaCurve: kw.curve(curves.at(-1)),
     Scene: kw.scene(scenes[0]),
 };
 

@@ -126,6 +126,7 @@ const values = {
     SubdivisionCurve: kw.curve({ type: 'subdivision-curve', scheme: 'chaikin', points: [[0, 0], [1, 0], [1, 1]] }),
     Fit: kw.interpolate({ points: [[0, 0], [1, 1]], degree: 1 }),
     Sphere: kw.enclosingSphere([[0, 0], [1, 1]]),
+    FormulaCurve: kw.curve({ type: 'formula-curve', x: 't', y: 't^2', domain: [0, 1] }),
     Scene: kw.scene(kw.scenes[0].document),
     BFunctionFamily: kw.bFunctions[0],
     ParametricCurveModel: kw.parametricCurves[0],

@@ -103,9 +103,19 @@ inline std::vector<Specimen> nestedSpecimens() {
          BFunction::makeTabulated(std::vector{0.0, 0.0, 1e-9, 0.9, 0.9, 0.95, 1.0, 1.0}).value()}};
 }
 
+inline std::vector<Specimen> formulaSpecimens() {
+    std::vector<Specimen> all;
+    for (const char* expression :
+         {"t^2*(3-2*t)", "sin(pi*t/2)^2", "t^1.5/(t^1.5+2*(1-t)^1.5)", "t^3/(t^3+4*(1-t)^3)",
+          "1/(1+exp(1/t-1/(1-t)))", "(1+tanh(log(t/(1-t))))/2"}) {
+        all.push_back({expression, BFunction::makeFormula(expression).value()});
+    }
+    return all;
+}
+
 inline std::vector<Specimen> everySpecimen() {
     std::vector<Specimen> all = closedFormSpecimens();
-    for (const auto& more : {expoRationalSpecimens(), nestedSpecimens()}) {
+    for (const auto& more : {expoRationalSpecimens(), nestedSpecimens(), formulaSpecimens()}) {
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;

@@ -1,0 +1,273 @@
+// B-functions that a person types: the check against the axioms, and what is found out about them.
+#include "geometry/b_function_families.hpp"
+#include "geometry/formula.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace knotwork::b_function {
+
+namespace {
+
+constexpr double valueTolerance = 1e-12;
+constexpr double slopeTolerance = 1e-9;
+/// Taylor coefficients at an end that are smaller than this are roundings: those of a function
+/// that rises from 0 to 1 on [0,1] are of the size of 1.
+constexpr double coefficientTolerance = 1e-10;
+constexpr int uniformPoints = 2520;
+constexpr int deepestPoint = 40;  // 2^-40 from an end
+constexpr double smallestPower = 1.0 / 64;
+
+constexpr std::string_view kinkWarning =
+    "the formula contains abs: derivatives need not exist where its argument changes sign";
+constexpr std::string_view powerWarning =
+    "at an end only derivatives below the power of t, or of 1−t, exist there";
+
+Error violation(Code code, std::string_view axiom, const std::string& found) {
+    return refuse(code, "expression", std::string(axiom) + ", but " + found + ".");
+}
+
+std::string at(double t, double value) {
+    return "B(" + formatNumber(t) + ") = " + formatNumber(value);
+}
+
+/// The value at an end, or its limit where the formula itself has none there (as 1/t in an
+/// exponent).
+double endValue(const Formula& formula, double end) noexcept {
+    const double value = formula.value(end);
+    if (std::isfinite(value)) return value;
+    const double limit = formula.value(end == 0 ? 1e-300 : 1 - 0x1p-53);
+    return std::abs(limit - end) <= valueTolerance ? limit : value;
+}
+
+std::optional<Error> checkEnds(const Formula& formula) {
+    for (const double end : {0.0, 1.0}) {
+        const std::string_view axiom =
+            end == 0 ? "B(0) must be 0 (axiom D2)" : "B(1) must be 1 (axiom D3)";
+        const double value = endValue(formula, end);
+        if (!std::isfinite(value)) return violation(Code::notFinite, axiom, at(end, value));
+        if (std::abs(value - end) > valueTolerance) {
+            return violation(Code::outOfRange, axiom, at(end, value));
+        }
+    }
+    return std::nullopt;
+}
+
+/// A uniform grid that comes close to both ends, where much can happen.
+std::vector<double> gridPoints() {
+    std::vector<double> points;
+    for (int i = 1; i < uniformPoints; ++i) points.push_back(double(i) / uniformPoints);
+    for (int k = 12; k <= deepestPoint; ++k) {
+        points.push_back(std::ldexp(1.0, -k));
+        points.push_back(1 - std::ldexp(1.0, -k));
+    }
+    std::sort(points.begin(), points.end());
+    return points;
+}
+
+struct Sample {
+    double t;
+    Jet jet;  // of order 2
+
+    [[nodiscard]] double value() const noexcept { return jet[0]; }
+    [[nodiscard]] double slope() const noexcept { return jet[1]; }
+    [[nodiscard]] double bend() const noexcept { return jet[2]; }
+};
+
+Sample sampleAt(const Formula& formula, double t) noexcept {
+    return {t, formula.jet(Jet::variable(t, 2))};
+}
+
+std::optional<Error> checkSlope(const Sample& sample) {
+    if (!(sample.slope() < -slopeTolerance)) return std::nullopt;  // also one that is NaN
+    return violation(Code::outOfRange, "B must not decrease (axiom D4)",
+                     "its slope at t = " + formatNumber(sample.t) + " is " +
+                         formatNumber(sample.slope()));
+}
+
+std::optional<Error> checkSample(const Sample& sample, double before) {
+    constexpr std::string_view range = "B must map [0, 1] to [0, 1] (axiom D1)";
+    const double value = sample.value();
+    if (!std::isfinite(value)) return violation(Code::notFinite, range, at(sample.t, value));
+    if (auto error = checkSlope(sample)) return error;
+    if (value < before - valueTolerance) {
+        return violation(Code::outOfRange, "B must not decrease (axiom D4)",
+                         at(sample.t, value) + " after " + formatNumber(before));
+    }
+    if (value < -valueTolerance || value > 1 + valueTolerance) {
+        return violation(Code::outOfRange, range, at(sample.t, value));
+    }
+    return std::nullopt;
+}
+
+/// Where the slope has a minimum between two samples, it is looked at too.
+std::optional<Error> checkBetween(const Formula& formula, Sample a, Sample b) {
+    if (!(a.bend() < 0 && b.bend() > 0)) return std::nullopt;
+    for (int i = 0; i < 30; ++i) {
+        const Sample middle = sampleAt(formula, a.t + (b.t - a.t) / 2);
+        if (auto error = checkSlope(middle)) return error;
+        (middle.bend() < 0 ? a : b) = middle;
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> checkInside(const Formula& formula) {
+    Sample before = sampleAt(formula, 0);
+    double highest = 0;
+    for (const double t : gridPoints()) {
+        const Sample sample = sampleAt(formula, t);
+        if (auto error = checkSample(sample, highest)) return error;
+        if (auto error = checkBetween(formula, before, sample)) return error;
+        highest = std::max(highest, sample.value());
+        before = sample;
+    }
+    return std::nullopt;
+}
+
+/// The fraction that a measured power is meant to be, where there is one close to it.
+double snapped(double power) noexcept {
+    for (int q = 1; q <= 6; ++q) {
+        const double p = std::round(power * q);
+        if (std::abs(power * q - p) < 1e-3) return std::max(p / q, smallestPower);
+    }
+    return std::max(power, smallestPower);
+}
+
+/// The power with which the function leaves an end, measured from the slopes at halving distances.
+/// Infinite where it is beyond all orders, where it still grows (as that of exp(−1/t) does), or
+/// where the slope underflows first.
+double measuredPower(const Formula& formula, double end) noexcept {
+    constexpr double clearSlope = 1e-8;  // smaller ones may have been lost to cancellation
+    double before = 0;
+    double power = infinitePower;  // the last that was measured on clear slopes
+    bool grows = false;
+    for (int k = 2; k <= 30; ++k) {
+        const double distance = std::ldexp(1.0, -k);
+        const double t = end == 0 ? distance : 1 - distance;
+        const double slope = formula.jet(Jet::variable(t, 1))[1];
+        const double rise = distance * slope;
+        if (!(rise > 0) || std::isinf(rise)) return infinitePower;
+        if (k > 2) {
+            const double measured = std::log2(before / rise);
+            if (measured > Jet::maxOrder + 1) return infinitePower;
+            if (slope > clearSlope || std::isinf(power)) {
+                grows = std::isfinite(power) && power > 1 && measured > 1.25 * power;
+                power = measured;
+            }
+        }
+        before = rise;
+    }
+    return grows ? infinitePower : snapped(power);
+}
+
+/// What is known about the function at an end.
+struct End {
+    double power;  ///< with which it leaves 0 at 0, or reaches 1 at 1
+    Jet jet;       ///< of the highest order; rows that do not exist are 0
+};
+
+/// Taylor coefficients at an end where the formula has a limit only, but the function goes on
+/// smoothly, as 1/(1 + (1/t − 1)²) does: those of two points inside, as far as they agree.
+Jet limitJet(const Formula& formula, double end) noexcept {
+    const auto from = [&](double distance) {
+        const double t = end == 0 ? distance : 1 - distance;
+        const Jet inside = formula.jet(Jet::variable(t, Jet::maxOrder));
+        Jet moved = Jet::constant(0, Jet::maxOrder);
+        for (int k = Jet::maxOrder; k >= 0; --k) {
+            moved = moved * Jet::variable(end - t, Jet::maxOrder) + inside[k];
+        }
+        return moved;
+    };
+    Jet near = from(1.0 / 32);
+    const Jet far = from(1.0 / 16);
+    for (int k = 0; k <= Jet::maxOrder; ++k) {
+        const bool agree = std::abs(near[k] - far[k]) <= 1e-8 * std::max(1.0, std::abs(near[k]));
+        if (!agree) near[k] = std::numeric_limits<double>::quiet_NaN();
+    }
+    return near;
+}
+
+End endOf(const Formula& formula, double end) noexcept {
+    const Side side = end == 0 ? Side::right : Side::left;
+    End found{infinitePower, formula.jet(Jet::variable(end, Jet::maxOrder), side)};
+    int k = 1;
+    while (k <= Jet::maxOrder && std::abs(found.jet[k]) <= coefficientTolerance) ++k;
+    if (k <= Jet::maxOrder) {
+        found.power = k;
+        if (!std::isfinite(found.jet[k])) {
+            found.power = measuredPower(formula, end);
+            if (k > 1) found.power = std::max(found.power, k - 1 + smallestPower);
+            if (found.power == std::trunc(found.power)) found.jet = limitJet(formula, end);
+        }
+    }
+    for (k = 1; k <= Jet::maxOrder; ++k) {
+        if (k < found.power || !std::isfinite(found.jet[k])) found.jet[k] = 0;
+    }
+    return found;
+}
+
+bool isSymmetric(const Formula& formula) noexcept {
+    for (int i = 1; i <= uniformPoints / 2; ++i) {
+        const double t = double(i) / uniformPoints;
+        if (!(std::abs(formula.value(t) + formula.value(1 - t) - 1) <= valueTolerance)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool isFractional(double power) noexcept {
+    return std::isfinite(power) && power != std::trunc(power);
+}
+
+}  // namespace
+
+struct UserFormula::Checked {
+    Formula formula;
+    Jet start;
+    Jet end;
+};
+
+Result<UserFormula> UserFormula::make(std::string_view expression) {
+    auto formula = Formula::make(expression, "expression");
+    if (!formula) return formula.error();
+    if (auto error = checkEnds(*formula)) return *std::move(error);
+    if (auto error = checkInside(*formula)) return *std::move(error);
+    UserFormula made;
+    const End start = endOf(*formula, 0);
+    const End end = endOf(*formula, 1);
+    made.powers_ = {start.power, end.power};
+    made.symmetric_ = isSymmetric(*formula);
+    const auto program = formula->program();
+    if (std::any_of(program.begin(), program.end(),
+                    [](const auto& each) { return each.op == formula::Op::abs; })) {
+        made.warning_ = kinkWarning;
+    } else if (isFractional(made.powers_[0]) || isFractional(made.powers_[1])) {
+        made.warning_ = powerWarning;
+    }
+    made.checked_ = std::make_shared<const Checked>(
+        Checked{*std::move(formula), start.jet, end.jet});
+    return made;
+}
+
+double UserFormula::value(double t) const noexcept {
+    const double value = checked_->formula.value(t);
+    return std::isnan(value) ? (t < 0.5 ? 0 : 1) : value;  // the grid found none
+}
+
+void UserFormula::derivatives(double t, std::span<double> rows) const noexcept {
+    if (rows.size() < 2) return;
+    const Jet jet = t == 0   ? checked_->start
+                    : t == 1 ? checked_->end
+                             : checked_->formula.jet(
+                                   Jet::variable(t, static_cast<int>(rows.size()) - 1));
+    for (std::size_t k = 1; k < rows.size(); ++k) rows[k] = jet.derivative(static_cast<int>(k));
+    rows[1] = std::max(rows[1], 0.0);
+}
+
+std::string_view UserFormula::expression() const noexcept { return checked_->formula.text(); }
+
+}  // namespace knotwork::b_function
