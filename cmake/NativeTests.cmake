@@ -23,6 +23,13 @@ if(NOT sources)
     return()
 endif()
 
+# ./dev coverage: without optimisation, so that every line is there to be counted.
+option(KNOTWORK_COVERAGE "Count which lines of the geometry the tests reach (GCC)" OFF)
+if(KNOTWORK_COVERAGE)
+    target_compile_options(knotwork_geometry PRIVATE --coverage -O0)
+    add_link_options(--coverage)
+endif()
+
 find_package(GTest REQUIRED)
 find_library(rapidcheck_library rapidcheck REQUIRED)
 find_path(rapidcheck_headers rapidcheck.h REQUIRED)

@@ -14,7 +14,7 @@ export const mutants = [
     },
     {
         name: 'shifted index: an inserted knot blends the neighbours to the right',
-        file: 'refinement.cpp',
+        file: 'boehm.cpp',
         find: 'blend(before, points[i % n],',
         replace: 'blend(points[i % n], points[(i + 1) % n],',
         test: 'RefinementProperty.InsertingAKnotDoesNotMoveTheCurve',
@@ -32,6 +32,13 @@ export const mutants = [
         find: 'values[j] * Knot(static_cast<int>(k)) /',
         replace: 'values[j] * Knot(static_cast<int>(k) + 1) /',
         test: 'SplineProperty.FirstDerivativesAgreeWithTheComplexStepThroughDeBoorsAlgorithm',
+    },
+    {
+        name: 'Oslo’s argument order: the blossom takes its arguments in ascending order',
+        file: 'oslo_kernels.hpp',
+        find: 'arguments[degree - r]',
+        replace: 'arguments[r - 1]',
+        test: 'Oslo.RefinementsByAllAlgorithmsAreTheSameAndDoNotMoveTheCurve',
     },
     {
         name: 'sin²(πt) instead of sin²(πt/2)',
@@ -57,9 +64,9 @@ export const mutants = [
     {
         name: 'tolerance ignored: every polyline is as coarse as one hundredth',
         file: 'tessellation.cpp',
-        find: '<= tolerance)) return false;',
-        replace: '<= 0.01 + 0 * tolerance)) return false;',
-        test: 'Polyline.HonoursItsToleranceFromOneToTenBillionths',
+        find: 'tolerance_(share * tolerance), most_(most),',
+        replace: 'tolerance_(share * (0.01 + 0 * tolerance)), most_(most),',
+        test: 'Polyline.HonoursItsToleranceFromOneToTenBillionthsOnEveryCurve',
     },
     {
         name: 'wrong side at a knot: derivatives from the left are those from the right',
