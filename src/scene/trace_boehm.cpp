@@ -53,7 +53,7 @@ Cut::Cut(const BsplineCurve& of, double knot)
     : curve(of),
       knots(of.knotVector().extended()),
       degree(static_cast<std::size_t>(of.degree())),
-      points(liftedPoints(of)),
+      points(homogeneousPoints(of)),
       u(of.knotVector().wrap(knot)),
       places(readingOf(of.points())) {
     const auto after = std::upper_bound(knots.begin(), knots.end(), u);

@@ -3,7 +3,9 @@
 // polygon is b_j = sum_i alpha_{i,d}(j) c_i, where alpha_{i,0}(j) = [t_i ≤ u_j < t_{i+1}] and
 //     alpha_{i,k}(j) = (u_{j+k} - t_i) / (t_{i+k} - t_i) alpha_{i,k-1}(j)
 //                      + (t_{i+k+1} - u_{j+k}) / (t_{i+k+1} - t_{i+1}) alpha_{i+1,k-1}(j).
+#include "geometry/bspline_indexing.hpp"
 #include "geometry/bspline_kernels.hpp"
+#include "geometry/refinement.hpp"
 #include "scene/trace_algorithms.hpp"
 #include "scene/trace_formula.hpp"
 #include "scene/trace_spline.hpp"
@@ -33,33 +35,6 @@ constexpr Sentence result{
     "sum 1, which takes the old control points to the {more} new ones; the curve is the same."};
 
 using Row = std::vector<double>;
-
-Error notRefined(std::string path, std::string message) {
-    return refuse(Code::outOfRange, std::move(path), std::move(message));
-}
-
-/// Whether `fresh` has all the knots of `old`, as often as these, and more only in the domain.
-Result<Done> checkRefined(const KnotVector& old, const KnotVector& fresh) {
-    const Interval domain = old.domain();
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < fresh.knots().size(); ++i) {
-        const double knot = fresh.knots()[i];
-        if (next < old.knots().size() && knot == old.knots()[next]) {
-            ++next;
-        } else if (next < old.knots().size() && knot > old.knots()[next]) {
-            break;
-        } else if (!domain.contains(knot)) {
-            return notRefined(indexed("knots", i),
-                              "The new knot " + formatNumber(knot) + " lies outside the domain [" +
-                                  formatNumber(domain.start) + ", " + formatNumber(domain.end) +
-                                  "], where knots can be put in.");
-        }
-    }
-    if (next == old.knots().size()) return Done{};
-    return notRefined("knots", "The curve's own knot " + formatNumber(old.knots()[next]) +
-                                   " is missing or stands there too seldom; give all knots that "
-                                   "the curve has, and the new ones among them.");
-}
 
 /// The refined vector and the rows of the matrix.
 struct Refinement {
@@ -94,7 +69,7 @@ Refinement::Refinement(const BsplineCurve& of, KnotVector to)
       degree(static_cast<std::size_t>(of.degree())),
       count(of.points().size()),
       more(static_cast<std::size_t>(fresh.pointCount())),
-      points(liftedPoints(of)),
+      points(homogeneousPoints(of)),
       places(readingOf(of.points())) {
     const auto all = fresh.extended();
     parameters = {.size = std::max(std::abs(all.front()), std::abs(all.back()))};
@@ -108,8 +83,7 @@ Refinement::Refinement(const BsplineCurve& of, KnotVector to)
 /// would use functions beyond the first and the last, but these have the weight 0.
 Refinement::Triangle Refinement::triangle(std::size_t j) const {
     const auto all = fresh.extended();
-    const bool wraps = fresh.closed() && all[j] < fresh.domain().start;
-    const std::size_t place = wraps ? j + more : j;
+    const std::size_t place = fresh.closed() && j < seamIndex(fresh) ? j + more : j;
     const auto after = std::upper_bound(old.begin(), old.end(), all[place]);
     const std::size_t mu = static_cast<std::size_t>(after - old.begin()) - 1;
     Triangle made{mu, place, {{1}}};
@@ -231,13 +205,8 @@ TraceFrame resultFrame(const Refinement& refinement, std::vector<Row> matrix,
 }  // namespace
 
 Result<Trace> traceOslo(const BsplineCurve& curve, std::vector<double> knots) {
-    const KnotVector& vector = curve.knotVector();
-    const int beyond = curve.closed() ? 1 : curve.degree() + 1;
-    const int count = static_cast<int>(std::min<std::size_t>(knots.size(), maxPointCount)) - beyond;
-    auto fresh = KnotVector::make(std::move(knots), curve.degree(),
-                                  std::max(count, curve.degree() + 1), vector.form());
+    auto fresh = refinedKnots(curve.knotVector(), std::move(knots));
     if (!fresh) return fresh.error();
-    if (auto checked = checkRefined(vector, *fresh); !checked) return checked.error();
     const Refinement refinement(curve, std::move(*fresh));
     TraceWriter writer("oslo");
     writer.add(beginFrame(refinement));

@@ -8,16 +8,6 @@
 
 namespace knotwork::scene {
 
-std::vector<Homogeneous> liftedPoints(const BsplineCurve& curve) {
-    std::vector<Homogeneous> points;
-    points.reserve(curve.points().size());
-    for (std::size_t i = 0; i < curve.points().size(); ++i) {
-        const double weight = curve.weights().empty() ? 1 : curve.weights()[i];
-        points.emplace_back(weight * curve.points()[i], weight);
-    }
-    return points;
-}
-
 Vec3 drawn(const Homogeneous& point, bool weighted) noexcept {
     return weighted ? Vec3(point) / point.w : Vec3(point);
 }
@@ -51,7 +41,7 @@ std::size_t SplineSpan::pointOf(std::size_t i) const noexcept {
 }
 
 std::vector<Homogeneous> SplineSpan::activePoints() const {
-    const std::vector<Homogeneous> all = liftedPoints(*curve);
+    const std::vector<Homogeneous> all = homogeneousPoints(*curve);
     std::vector<Homogeneous> active;
     for (std::size_t i = index - degree; i <= index; ++i) {
         const Homogeneous& point = all[pointOf(i)];

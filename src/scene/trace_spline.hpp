@@ -2,19 +2,14 @@
 #pragma once
 
 #include "geometry/bspline_curve.hpp"
+#include "geometry/homogeneous.hpp"
 #include "scene/trace_parts.hpp"
-
-#include <glm/vec4.hpp>
 
 #include <span>
 #include <vector>
 
 namespace knotwork::scene {
 
-/// (w x, w y, w z, w); w = 1 where the curve has no weights.
-using Homogeneous = glm::dvec4;
-
-[[nodiscard]] std::vector<Homogeneous> liftedPoints(const BsplineCurve& curve);
 /// As drawn: divided by their weights where these matter.
 [[nodiscard]] Vec3 drawn(const Homogeneous& point, bool weighted) noexcept;
 [[nodiscard]] std::vector<Vec3> drawn(std::span<const Homogeneous> points, bool weighted);

@@ -2,6 +2,7 @@
 #include "support/traces.hpp"
 
 #include "geometry/bspline_basis.hpp"
+#include "geometry/factor_matrices.hpp"
 
 #include <gtest/gtest.h>
 
@@ -110,10 +111,15 @@ TEST(TraceFactorMatrices, MultiplyToTheRowOfTheBasisAndToThePoint) {
         ASSERT_EQ(trace.frames.size(), degree + 2);
         expectReadable(trace);
         std::vector<double> product{1};
+        const auto factors = factorMatrices(curve.knotVector(), t);
         for (std::size_t k = 1; k <= degree; ++k) {
             const auto& matrix = trace.frames[k].matrix;
             ASSERT_EQ(matrix.size(), k);
             ASSERT_EQ(matrix.front().size(), k + 1);
+            for (std::size_t i = 0; i < k * (k + 1); ++i) {
+                EXPECT_NEAR(matrix[i / (k + 1)][i % (k + 1)], factors[k - 1][i],
+                            test::gates::exact);
+            }
             std::vector<double> next(k + 1, 0.0);
             for (std::size_t r = 0; r < k; ++r) {
                 EXPECT_NEAR(matrix[r][r] + matrix[r][r + 1], 1, test::gates::exact);

@@ -1,6 +1,7 @@
 // Traces that refine a polygon end with the one that the library and the truth have.
 #include "support/traces.hpp"
 
+#include "geometry/oslo.hpp"
 #include "geometry/refinement.hpp"
 
 #include <gtest/gtest.h>
@@ -92,17 +93,24 @@ std::vector<double> moreKnots(const BsplineCurve& curve, RandomSplines& random) 
     return knots;
 }
 
-TEST(TraceOslo, HasRowsOfWeightsThatSumToOneInEveryForm) {
+TEST(TraceOslo, HasTheMatrixOfTheLibraryInEveryForm) {
     RandomSplines random(705);
     for (int i = 0; i < 40; ++i) {
         for (const Form form : test::allForms) {
             SplineKind kind{.maxDegree = 5, .rational = i % 3 == 0};
             const BsplineCurve curve = random.curve(form, kind);
-            const Trace trace =
-                traced(about("oslo", curve, "knots", listOf(moreKnots(curve, random))));
+            const std::vector<double> knots = moreKnots(curve, random);
+            const Trace trace = traced(about("oslo", curve, "knots", listOf(knots)));
             expectReadable(trace);
             const TraceFrame& last = trace.frames.back();
+            const KnotVector refined = refinedKnots(curve.knotVector(), knots).value();
+            const std::vector<double> matrix = osloMatrix(curve.knotVector(), refined);
+            ASSERT_EQ(last.matrix.size() * curve.points().size(), matrix.size());
             for (std::size_t j = 0; j < last.matrix.size(); ++j) {
+                for (std::size_t c = 0; c < last.matrix[j].size(); ++c) {
+                    EXPECT_NEAR(last.matrix[j][c], matrix[j * last.matrix[j].size() + c],
+                                test::gates::exact);
+                }
                 double sum = 0;
                 for (const double alpha : last.matrix[j]) {
                     EXPECT_GE(alpha, 0);

@@ -221,7 +221,7 @@ test('refusals name what is wrong and where', () => {
     bad({ algorithm: 'de-boor', curve: blending, t: 1 }, 'NOT_SUPPORTED', 'curve.type');
     bad({ algorithm: 'blend', curve: quadratic, t: 1 }, 'NOT_SUPPORTED', 'curve.type');
     bad({ algorithm: 'boehm', curve: quadratic, knot: 0 }, 'KNOTS_MULTIPLICITY', 'knot');
-    bad({ algorithm: 'oslo', curve: quadratic, knots: [0, 0, 0, 2, 3, 4, 4, 4] }, 'OUT_OF_RANGE', 'knots');
+    bad({ algorithm: 'oslo', curve: quadratic, knots: [0, 0, 0, 2, 3, 4, 4, 4] }, 'KNOTS_MULTIPLICITY', 'knots[3]');
     bad({ algorithm: 'oslo', curve: quadratic, knots: [0, 0, 0, 1, Infinity] }, 'NOT_FINITE', 'knots[4]');
     bad({ algorithm: 'lane-riesenfeld', points: square, closed: 1 }, 'WRONG_TYPE', 'closed');
     bad({ algorithm: 'lane-riesenfeld', points: square, levels: 23 }, 'TOO_LARGE', 'levels');
