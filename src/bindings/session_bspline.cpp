@@ -44,9 +44,9 @@ int Session::curveGrevilles(int handle) {
 int Session::curveControlPoints(int handle) {
     const auto* spline = findBspline(handle);
     if (!spline) return -1;
-    std::vector<double> xyz;
-    xyz.reserve(3 * spline->points().size());
-    for (const Vec3& point : spline->points()) xyz.insert(xyz.end(), {point.x, point.y, point.z});
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    std::vector<double> xyz(3 * spline->points().size());
+    std::memcpy(xyz.data(), spline->points().data(), xyz.size() * sizeof(double));
     return leave(std::move(xyz), spline->points().size());
 }
 

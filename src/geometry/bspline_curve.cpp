@@ -29,6 +29,12 @@ MaybeError checkLength(std::size_t given, int needed, const char* path) {
         std::to_string(given) + ' ' + path + " given, " + std::to_string(needed) + " needed");
 }
 
+/// Whether there is nothing to refuse; a NaN is never less than anything.
+bool isPlain(const Vec3& point, int dimension) noexcept {
+    return std::abs(point.x) <= largestCoordinate && std::abs(point.y) <= largestCoordinate &&
+           std::abs(point.z) <= (dimension == 2 ? 0 : largestCoordinate);
+}
+
 MaybeError checkPoint(const Vec3& point, std::size_t index, int dimension) {
     if (!allowedCoordinates(point)) return checkCoordinates(point, indexed("points", index));
     if (dimension == 2 && point.z != 0) {
@@ -59,6 +65,7 @@ MaybeError checkCurve(int pointCount, std::span<const Vec3> points, int dimensio
     }
     if (auto error = checkLength(points.size(), pointCount, "points")) return error;
     for (std::size_t i = 0; i < points.size(); ++i) {
+        if (isPlain(points[i], dimension)) continue;
         if (auto error = checkPoint(points[i], i, dimension)) return error;
     }
     if (weights.empty()) return {};

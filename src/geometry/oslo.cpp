@@ -1,6 +1,7 @@
 #include "geometry/oslo.hpp"
 
 #include "geometry/oslo_kernels.hpp"
+#include "geometry/simd.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,25 @@
 namespace knotwork {
 
 namespace {
+
+using simd::Double2;
+using simd::fromOn;
+
+double fromOn(double a, double b, double reached, double before) noexcept {
+    return a >= b ? reached : before;
+}
+
+template <class Number>
+Number all(double value) noexcept {
+    if constexpr (std::is_same_v<Number, Double2>) return simd::splat(value);
+    else return value;
+}
+
+template <class Number>
+Number from(const double* values) noexcept {
+    if constexpr (std::is_same_v<Number, Double2>) return simd::load(values);
+    else return *values;
+}
 
 /// What all rows of a span share: for each level k and each i the knots between which w_{k,i} grows
 /// from 0 to 1, and the factor of its growth. Quotients cost more than all the rest of a row.
@@ -23,18 +43,21 @@ public:
         }
     }
 
-    /// As kernels::discreteBsplines(), with weights that are exact at both knots.
-    template <class Degree>
-    void weights(Degree degree, const double* arguments, double* values) const noexcept {
+    /// As kernels::discreteBsplines(), with weights that are exact at both knots, for one row (double)
+    /// or for two whose arguments follow each other (Double2).
+    template <class Number, class Degree>
+    void weights(Degree degree, const double* arguments, Number* values) const noexcept {
+        const Number one = all<Number>(1);
         const Ramp* ramp = ramps_.data();
-        values[0] = 1;
+        values[0] = one;
         for (std::size_t k = 1; k <= degree; ++k) {
-            const double t = arguments[k - 1];
-            double carried = 0;
+            const Number t = from<Number>(arguments + (k - 1));
+            Number carried = all<Number>(0);
             for (std::size_t j = 0; j < k; ++j, ++ramp) {
-                const double w = t >= ramp->to ? 1 : (t - ramp->from) * ramp->growth;
-                const double lower = values[j];
-                values[j] = carried + (1 - w) * lower;
+                const Number before = (t - all<Number>(ramp->from)) * all<Number>(ramp->growth);
+                const Number w = fromOn(t, all<Number>(ramp->to), one, before);
+                const Number lower = values[j];
+                values[j] = carried + (one - w) * lower;
                 carried = w * lower;
             }
             values[k] = carried;
@@ -51,20 +74,63 @@ private:
 };
 
 template <class Degree, class Point>
+void rowInto(Degree degree, const SpanFactors& factors, const double* arguments,
+             const Point* active, Point& out) noexcept {
+    std::array<double, maxDegree + 1> weights;
+    factors.weights(degree, arguments, weights.data());
+    out = weights[0] * active[0];
+    for (std::size_t k = 1; k <= degree; ++k) out += weights[k] * active[k];
+}
+
+/// Two rows that follow each other, one in each lane.
+template <class Degree>
+void rowPairInto(Degree degree, const SpanFactors& factors, const double* arguments,
+                 const Vec3* active, Vec3* out) noexcept {
+    std::array<Double2, maxDegree + 1> weights;
+    factors.weights(degree, arguments, weights.data());
+    Double2 x = weights[0] * simd::loadSplat(&active[0].x);
+    Double2 y = weights[0] * simd::loadSplat(&active[0].y);
+    Double2 z = weights[0] * simd::loadSplat(&active[0].z);
+    for (std::size_t k = 1; k <= degree; ++k) {
+        x = x + weights[k] * simd::loadSplat(&active[k].x);
+        y = y + weights[k] * simd::loadSplat(&active[k].y);
+        z = z + weights[k] * simd::loadSplat(&active[k].z);
+    }
+    simd::storeInterleaved(&out->x, x, y, z);
+}
+
+template <class Degree, class Point>
 void oslo1Into(Degree degree, const OsloKnots& knots, const KnotVector& refined,
                std::span<const Point> ordered, std::span<Point> out) noexcept {
     SpanFactors factors;
     std::size_t prepared = 0;  // no span of a curve: the first is that of its degree
+    // A row waits for the next: in pairs they cost little more than one.
+    const double* waiting = nullptr;
+    std::size_t waitingAt = 0;
+    const auto flush = [&] {
+        if (waiting == nullptr) return;
+        rowInto(degree, factors, waiting, ordered.data() + (prepared - degree), out[waitingAt]);
+        waiting = nullptr;
+    };
     forEachOsloRow(knots, refined, [&](std::size_t j, std::size_t span, auto arguments) {
-        if (span != prepared) factors.prepare(knots.all(), degree, span);
-        prepared = span;
-        std::array<double, maxDegree + 1> weights;
-        factors.weights(degree, arguments.data(), weights.data());
-        const Point* active = ordered.data() + (span - degree);
-        Point sum = weights[0] * active[0];
-        for (std::size_t k = 1; k <= degree; ++k) sum += weights[k] * active[k];
-        out[j] = sum;
+        if (span != prepared) {
+            flush();
+            factors.prepare(knots.all(), degree, span);
+            prepared = span;
+        }
+        if constexpr (std::is_same_v<Point, Vec3>) {
+            if (waiting != nullptr && j == waitingAt + 1) {
+                rowPairInto(degree, factors, waiting, ordered.data() + (span - degree),
+                            &out[waitingAt]);
+                waiting = nullptr;
+                return;
+            }
+        }
+        flush();
+        waiting = arguments.data();
+        waitingAt = j;
     });
+    flush();
 }
 
 // Degrees known to the compiler: its loops over two to six weights are unrolled.

@@ -55,6 +55,12 @@ inline void store(double* to, Double2 value) noexcept { wasm_v128_store(to, valu
     return {wasm_i32x4_shuffle(a.lanes, b.lanes, 2, 3, 6, 7)};
 }
 
+/// In each lane `reached` where a ≥ b, otherwise `before`.
+[[nodiscard]] inline Double2 fromOn(Double2 a, Double2 b, Double2 reached,
+                                    Double2 before) noexcept {
+    return {wasm_v128_bitselect(reached.lanes, before.lanes, wasm_f64x2_ge(a.lanes, b.lanes))};
+}
+
 /// The larger ones of numbers that are no NaN.
 [[nodiscard]] inline Double2 larger(Double2 a, Double2 b) noexcept {
     return {wasm_f64x2_pmax(a.lanes, b.lanes)};
@@ -108,6 +114,13 @@ inline void store(double* to, Double2 value) noexcept { std::memcpy(to, &value, 
 }
 [[nodiscard]] inline Double2 secondSecond(Double2 a, Double2 b) noexcept {
     return {Lanes{a.lanes[1], b.lanes[1]}};
+}
+
+/// In each lane `reached` where a ≥ b, otherwise `before`.
+[[nodiscard]] inline Double2 fromOn(Double2 a, Double2 b, Double2 reached,
+                                    Double2 before) noexcept {
+    return {Lanes{a.lanes[0] >= b.lanes[0] ? reached.lanes[0] : before.lanes[0],
+                  a.lanes[1] >= b.lanes[1] ? reached.lanes[1] : before.lanes[1]}};
 }
 
 /// The larger ones of numbers that are no NaN.
