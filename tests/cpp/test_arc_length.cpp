@@ -66,6 +66,23 @@ TEST(ArcLength, OfACubicCuspInTheMiddleOfItsSpan) {
     expectLength(cusp, truth, "cusp");
 }
 
+TEST(ArcLength, OfFormulasWithCornersAndVerticalTangents) {
+    for (const Animal& animal : formulas()) {
+        const double length = lengthOf(animal.curve);
+        if (animal.name == "corner of abs") {
+            EXPECT_NEAR(length, 2 * std::sqrt(2.0), 1e-14);
+        }
+        if (animal.name == "root") {
+            EXPECT_NEAR(length, std::sqrt(5.0) / 2 + std::asinh(2.0) / 4, 1e-14);
+        }
+        // Parameters beside 1 are 1e-16 apart, and the curve there 1e-8.
+        if (animal.name == "half circle of roots") {
+            EXPECT_NEAR(length, pi, 1e-9);
+        }
+        EXPECT_GT(length, 0) << animal.name;
+    }
+}
+
 TEST(ArcLength, OfStraightLinesThatTurnBackCountsBothWays) {
     // x = t(6 − 5t) √2 along the diagonal, back from t = 3/5.
     const Curve line = spline(2, Form::clamped, {}, {{0, 0, 0}, {3, 3, 0}, {1, 1, 0}});

@@ -38,7 +38,7 @@ double reachOf(const Curve& curve) {
 
 TEST(ClosestPoint, IsNearerThanEverySampleOfEveryCurve) {
     RandomSplines random(29);
-    for (const Animal& animal : zoo()) {
+    for (const Animal& animal : wholeZoo()) {
         const double reach = reachOf(animal.curve);
         for (int i = 0; i < 12; ++i) {
             const double size = i < 8 ? 1.2 * reach : 50 * reach;
@@ -75,7 +75,7 @@ TEST(ClosestPoint, LooksAlongTheNormalUnlessItIsAnEnd) {
 
 TEST(ClosestPoint, OfAPointOnTheCurveIsItself) {
     RandomSplines random(37);
-    for (const Animal& animal : zoo()) {
+    for (const Animal& animal : wholeZoo()) {
         const double reach = reachOf(animal.curve);
         const Interval whole = domain(animal.curve);
         for (int i = 0; i < 8; ++i) {

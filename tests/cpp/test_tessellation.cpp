@@ -51,7 +51,7 @@ double largestCoordinate(const Polyline& line) {
 }
 
 TEST(Polyline, HonoursItsToleranceFromOneToTenBillionthsOnEveryCurve) {
-    for (const test::Animal& animal : test::zoo()) {
+    for (const test::Animal& animal : test::wholeZoo()) {
         for (double tolerance = 1; tolerance > 0.9e-10; tolerance /= 10) {
             const auto line = polylineWithin(animal.curve, tolerance);
             if (!line) {

@@ -120,10 +120,42 @@ inline std::vector<Animal> blends() {
     return all;
 }
 
+/// Formulas with corners and with vertical tangents, whose derivatives are infinite.
+inline std::vector<Animal> formulas() {
+    const auto formula = [](const char* x, const char* y, const char* z, Interval domain) {
+        FormulaCurveParts parts{.x = x, .y = y, .domain = domain};
+        if (*z != 0) parts.z = z;
+        auto made = FormulaCurve::make(parts);
+        EXPECT_TRUE(made.ok());
+        return Curve(std::move(made).value());
+    };
+    return {{"corner of abs", formula("t", "abs(t - 0.3)", "", {-1, 1})},
+            {"corner of abs in space", formula("t", "abs(t - 0.3)^3", "abs(t)", {-1, 1})},
+            {"root", formula("t", "sqrt(t)", "", {0, 1})},
+            {"half circle of roots", formula("t", "sqrt(1 - t^2)", "", {-1, 1})},
+            {"wave", formula("t", "sin(40*t)/t^2", "exp(-t)", {0.5, 4})}};
+}
+
+/// Of one piece.
+inline std::vector<Animal> segments() {
+    auto bezier = BezierCurve::make({{0, 0, 0}, {1, 3, 1}, {4, -3, 0}, {5, 0, 2}, {2, 2, 2}},
+                                    {1, 2, 0.5, 3, 1}, Interval{-1, 2});
+    EXPECT_TRUE(bezier.ok());
+    return {{"rational Bézier curve", Curve(std::move(bezier).value())}};
+}
+
 inline std::vector<Animal> zoo() {
     std::vector<Animal> all = models();
     for (auto& animal : splines()) all.push_back(std::move(animal));
     for (auto& animal : blends()) all.push_back(std::move(animal));
+    for (auto& animal : segments()) all.push_back(std::move(animal));
+    return all;
+}
+
+/// The zoo, and what it cannot integrate to the last digit.
+inline std::vector<Animal> wholeZoo() {
+    std::vector<Animal> all = zoo();
+    for (auto& animal : formulas()) all.push_back(std::move(animal));
     return all;
 }
 
