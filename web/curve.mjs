@@ -131,6 +131,13 @@ export class Curve extends Held {
         return { t: core.number(0), point: found, distance: core.number(4) };
     }
 
+    /** The smallest sphere around all of it. */
+    enclosingSphere() {
+        const { core, handle } = Held.of(this);
+        core.ask('curveSphere', handle);
+        return { center: core.point(0), radius: core.number(3) };
+    }
+
     /** What it was made from, defaults filled in. */
     get spec() {
         const { core, handle } = Held.of(this);

@@ -313,6 +313,8 @@ export interface Curve extends Disposable {
     length(a?: number, b?: number): number;
     /** The nearest point of the curve; of several the one with the smallest parameter. */
     closestPoint(p: Point): { t: number; point: Point3; distance: number };
+    /** The smallest sphere around all of the curve. */
+    enclosingSphere(): { center: Point3; radius: number };
     /** The parameter at which the length from the start is s: the inverse of length(). */
     parameterAtLength(s: number): number;
     /** What it was made from, defaults filled in. */

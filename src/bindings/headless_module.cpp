@@ -47,6 +47,7 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("parametricCurves", &Session::parametricCurves)
         .function("curveFrame", &Session::curveFrame)
         .function("curveClosestPoint", &Session::curveClosestPoint)
+        .function("curveSphere", &Session::curveSphere)
         .function("curveLength", &Session::curveLength)
         .function("curveParameterAtLength", &Session::curveParameterAtLength)
         .function("curveKnots", &Session::curveKnots)

@@ -103,6 +103,8 @@ public:
     [[nodiscard]] bool curveFrame(int handle, double t, int side);
     /// block: t, x, y, z, distance of the point nearest to a place.
     [[nodiscard]] bool curveClosestPoint(int handle, double x, double y, double z);
+    /// block: x, y, z of the centre and the radius of the smallest sphere around the curve.
+    [[nodiscard]] bool curveSphere(int handle);
     /// block: the length from a to b.
     [[nodiscard]] bool curveLength(int handle, double a, double b);
     /// block: the parameter at the length s.

@@ -1,6 +1,7 @@
 // The part of the session that measures curves.
 #include "bindings/session.hpp"
 #include "geometry/closest_point.hpp"
+#include "geometry/curve_sphere.hpp"
 #include "geometry/differential.hpp"
 
 #include <cmath>
@@ -66,6 +67,15 @@ bool Session::curveClosestPoint(int handle, double x, double y, double z) {
     block_[0] = found->t;
     for (int axis = 0; axis < 3; ++axis) block_[static_cast<std::size_t>(axis) + 1] = found->point[axis];
     block_[4] = found->distance;
+    return true;
+}
+
+bool Session::curveSphere(int handle) {
+    const auto* held = find<CurveValue>(handle);
+    if (!held) return false;
+    const Sphere sphere = knotwork::enclosingSphere(held->curve);
+    for (int axis = 0; axis < 3; ++axis) block_[static_cast<std::size_t>(axis)] = sphere.center[axis];
+    block_[3] = sphere.radius;
     return true;
 }
 

@@ -160,3 +160,22 @@ test('polyline honours its tolerance or says that it cannot', () => {
     }
     refuses(() => named('circle', { radius: 1e4 }).polyline({ tolerance: 1e-10 }), 'TOO_LARGE', 'tolerance');
 });
+
+test('enclosingSphere is the smallest around the curve itself', () => {
+    const expectSphere = (curve, center, radius) => {
+        const sphere = curve.enclosingSphere();
+        near(sphere.center, center, 1e-6 * radius);
+        near(sphere.radius, radius, 1e-12 * radius);
+    };
+    expectSphere(named('ellipse', { a: 3, b: 1 }), [0, 0, 0], 3);
+    expectSphere(named('viviani'), [0, 0, 0], 2);
+    expectSphere(line(), [1.5, 2, 0], 2.5);
+    for (const curve of kinds()) {
+        const { center, radius } = curve.enclosingSphere();
+        const samples = curve.sample(3000);
+        for (let i = 0; i < samples.length; i += 3) {
+            const away = hypot(samples[i] - center[0], samples[i + 1] - center[1], samples[i + 2] - center[2]);
+            assert.ok(away <= radius * (1 + 1e-12));
+        }
+    }
+});

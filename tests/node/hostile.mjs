@@ -120,7 +120,7 @@ export const methods = {
 };
 
 /** Methods that take nothing. */
-export const withoutArguments = ['dispose', 'undo', 'redo', 'limitPoints', 'limitTangents'];
+export const withoutArguments = ['dispose', 'enclosingSphere', 'undo', 'redo', 'limitPoints', 'limitTangents'];
 
 const codes = new Set([
     'WRONG_TYPE', 'WRONG_LENGTH', 'NOT_FINITE', 'NOT_INTEGER', 'OUT_OF_RANGE', 'TOO_LARGE', 'UNKNOWN_NAME', 'UNKNOWN_FIELD',
