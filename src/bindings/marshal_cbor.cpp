@@ -164,9 +164,13 @@ bool readPoints(const CborItem& item, std::size_t most, std::vector<Vec3>& point
     if (item.kind != Kind::points && item.kind != Kind::numbers) return false;
     if (item.length % width != 0 || item.length / width > most) return false;
     points.resize(item.length / width);
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    if (width == 3 && !points.empty()) {
+        std::memcpy(&points[0].x, item.bytes.data(), item.bytes.size());
+        return true;
+    }
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::size_t at = i * width;
-        points[i] = {item.numberAt(at), item.numberAt(at + 1), width == 3 ? item.numberAt(at + 2) : 0};
+        points[i] = {item.numberAt(2 * i), item.numberAt(2 * i + 1), 0};
     }
     return true;
 }

@@ -60,8 +60,7 @@ constexpr std::array sphereFields{
                        .help = "The smallest sphere, or one of two that are found sooner.",
                        .defaultJson = "\"minimal\"", .choices = methodChoices}};
 
-/// An object's lists that crossed as packed numbers, all of them finite; the tree has empty lists
-/// in their places.
+/// An object's lists that crossed as packed numbers; the tree has empty lists in their places.
 struct Packed {
     Json rest = Json::object();
     std::optional<std::vector<Vec3>> points{};
@@ -71,7 +70,6 @@ struct Packed {
 bool takePoints(const CborItem& item, Packed& packed) {
     std::vector<Vec3> points;
     if (!readPoints(item, maxDataCount, points)) return false;
-    if (!allFinite(points)) return false;
     packed.points = std::move(points);
     return true;
 }
@@ -79,7 +77,6 @@ bool takePoints(const CborItem& item, Packed& packed) {
 bool takeParameters(const CborItem& item, Packed& packed) {
     std::vector<double> numbers;
     if (!readNumbers(item, maxDataCount, numbers)) return false;
-    if (!allFinite(numbers)) return false;
     packed.parameters = std::move(numbers);
     return true;
 }
@@ -158,7 +155,28 @@ Result<FitInput> readRequest(std::span<const std::uint8_t> bytes, std::span<cons
     return input;
 }
 
+/// A refusal of the geometry, which sees points and not their coordinates: NaN and infinities have
+/// the path that the tables give them.
+Error placed(Error error, std::span<const std::uint8_t> bytes, std::span<const Field> table) {
+    if (error.code != Code::notFinite) return error;
+    const auto tree = readCbor(bytes);
+    const auto fields = tree ? readFields(*tree, table) : Result<Json>(error);
+    return fields ? error : fields.error();
+}
+
 }  // namespace
+
+Error placedInFit(Error error, std::span<const std::uint8_t> bytes) {
+    return placed(std::move(error), bytes, fitFields);
+}
+
+Error placedInInterpolation(Error error, std::span<const std::uint8_t> bytes) {
+    return placed(std::move(error), bytes, interpolationFields);
+}
+
+Error placedInSphere(Error error, std::span<const std::uint8_t> bytes) {
+    return placed(std::move(error), bytes, sphereFields);
+}
 
 Result<FitInput> readFit(std::span<const std::uint8_t> bytes) {
     return readRequest(bytes, fitFields);

@@ -31,4 +31,10 @@ struct SphereInput {
 /// { points, method? }.
 [[nodiscard]] Result<SphereInput> readSphere(std::span<const std::uint8_t> bytes);
 
+// What the geometry refuses of these inputs as the caller knows it: the coordinate that is NaN, and
+// not only its point.
+[[nodiscard]] Error placedInFit(Error error, std::span<const std::uint8_t> bytes);
+[[nodiscard]] Error placedInInterpolation(Error error, std::span<const std::uint8_t> bytes);
+[[nodiscard]] Error placedInSphere(Error error, std::span<const std::uint8_t> bytes);
+
 }  // namespace knotwork::bindings

@@ -5,10 +5,8 @@
 
 #include "bindings/marshal_cbor.hpp"
 #include "geometry/knot_vector.hpp"
-#include "geometry/vec.hpp"
 
 #include <optional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -17,9 +15,6 @@ namespace knotwork::bindings {
 /// At most `most` numbers, NaN and infinities included.
 [[nodiscard]] bool readNumbers(const CborItem& item, std::size_t most,
                                std::vector<double>& numbers);
-
-[[nodiscard]] bool allFinite(std::span<const double> numbers) noexcept;
-[[nodiscard]] bool allFinite(std::span<const Vec3> points) noexcept;
 
 /// `clamped`, `open` or `closed`.
 [[nodiscard]] std::optional<Form> formNamed(std::string_view name) noexcept;

@@ -199,7 +199,7 @@ private:
     [[nodiscard]] const BlendingCurve* findBlending(int handle);
     /// The local curve, or nothing (and OUT_OF_RANGE `j` in error()).
     [[nodiscard]] std::optional<std::size_t> findLocal(const BlendingCurve& curve, int local);
-    int holdFit(Result<Fit> fit);
+    int holdFit(Fit fit);
     int leave(std::vector<double> numbers, std::size_t count);
     /// Moves the first `count` of parameters() into the curve's domain; false, and a refusal that
     /// names `ts[first + i]`, where one lies outside.

@@ -6,34 +6,39 @@
 
 namespace knotwork::bindings {
 
-int Session::holdFit(Result<Fit> fit) {
-    if (!fit) return refuse(fit.error());
-    const int handle = holdCurve({Curve(std::move(fit->curve)), std::nullopt, std::nullopt, {}});
-    block_[curveTraits] = fit->residuals.sumOfSquares;
-    block_[curveTraits + 1] = fit->residuals.rms;
-    block_[curveTraits + 2] = fit->residuals.max;
-    block_[curveTraits + 3] = static_cast<double>(fit->parameters.size());
-    bulk_ = std::move(fit->parameters);
+int Session::holdFit(Fit fit) {
+    const int handle = holdCurve({Curve(std::move(fit.curve)), std::nullopt, std::nullopt, {}});
+    block_[curveTraits] = fit.residuals.sumOfSquares;
+    block_[curveTraits + 1] = fit.residuals.rms;
+    block_[curveTraits + 2] = fit.residuals.max;
+    block_[curveTraits + 3] = static_cast<double>(fit.parameters.size());
+    bulk_ = std::move(fit.parameters);
     return handle;
 }
 
 int Session::fit(unsigned bytes) {
-    const auto input = readFit(inputBytes(bytes));
-    return input ? holdFit(fitCurve(input->points, input->request)) : refuse(input.error());
+    const auto given = inputBytes(bytes);
+    const auto input = readFit(given);
+    if (!input) return refuse(input.error());
+    auto fit = fitCurve(input->points, input->request);
+    return fit ? holdFit(std::move(*fit)) : refuse(placedInFit(fit.error(), given));
 }
 
 int Session::interpolate(unsigned bytes) {
-    auto input = readInterpolation(inputBytes(bytes));
+    const auto given = inputBytes(bytes);
+    auto input = readInterpolation(given);
     if (!input) return refuse(input.error());
-    return holdFit(interpolateCurve(input->points, input->request.degree, input->request.form,
-                                    std::move(input->request.parameters)));
+    auto fit = interpolateCurve(input->points, input->request.degree, input->request.form,
+                                std::move(input->request.parameters));
+    return fit ? holdFit(std::move(*fit)) : refuse(placedInInterpolation(fit.error(), given));
 }
 
 bool Session::enclosingSphere(unsigned bytes) {
-    const auto input = readSphere(inputBytes(bytes));
+    const auto given = inputBytes(bytes);
+    const auto input = readSphere(given);
     if (!input) return refuse(input.error());
     const auto sphere = knotwork::enclosingSphere(input->points, input->method);
-    if (!sphere) return refuse(sphere.error());
+    if (!sphere) return refuse(placedInSphere(sphere.error(), given));
     block_[0] = sphere->center.x;
     block_[1] = sphere->center.y;
     block_[2] = sphere->center.z;

@@ -141,16 +141,20 @@ public:
 
     void addSpan(System& system, std::size_t span) {
         const Run run = runs_.of(span);
+        const auto parameters = parameters_.subspan(run.first, run.count);
+        const auto points = points_.subspan(run.first, run.count);
+        const std::span<double> few = rows_.condensed(span, parameters, points);
+        if (!few.empty()) return system.addSpanRows(span, few);
         for (std::size_t done = 0; done < run.count; done += mostAtOnce) {
             const std::size_t size = std::min(mostAtOnce, run.count - done);
-            system.addSpanRows(span, rows_.of(span, parameters_.subspan(run.first + done, size),
-                                              points_.subspan(run.first + done, size)));
+            system.addSpanRows(span, rows_.each(span, parameters.subspan(done, size),
+                                                points.subspan(done, size)));
         }
     }
 
     /// A point at a parameter of this span that is none of the data.
     void addPoint(System& system, std::size_t span, double t, const Vec3& point) {
-        system.addSpanRows(span, rows_.of(span, {&t, 1}, {&point, 1}));
+        system.addSpanRows(span, rows_.each(span, {&t, 1}, {&point, 1}));
     }
 
 private:

@@ -120,17 +120,8 @@ bool factor(const Moments& moments, std::size_t count, double* lower) noexcept {
 SpanRows::SpanRows(const KnotVector& knots)
     : knots_(knots), terms_(static_cast<std::size_t>(knots.degree()) + 1) {}
 
-std::span<double> SpanRows::of(std::size_t span, std::span<const double> parameters,
-                               std::span<const Vec3> points) {
-    const bool many = parameters.size() >= enough * terms_;
-    const bool condensed = many && (terms_ == 4 ? condense<3>(span, parameters, points)
-                                                : condense<0>(span, parameters, points));
-    if (!condensed) addEach(span, parameters, points);
-    return rows_;
-}
-
-void SpanRows::addEach(std::size_t span, std::span<const double> parameters,
-                       std::span<const Vec3> points) {
+std::span<double> SpanRows::each(std::size_t span, std::span<const double> parameters,
+                                 std::span<const Vec3> points) {
     rows_.resize(parameters.size() * rowSize());
     const std::span<double> rows(rows_);
     for (std::size_t k = 0; k < parameters.size(); ++k) {
@@ -140,6 +131,15 @@ void SpanRows::addEach(std::size_t span, std::span<const double> parameters,
         row[terms_ + 1] = points[k].y;
         row[terms_ + 2] = points[k].z;
     }
+    return rows;
+}
+
+std::span<double> SpanRows::condensed(std::size_t span, std::span<const double> parameters,
+                                      std::span<const Vec3> points) {
+    if (parameters.size() < enough * terms_) return {};
+    const bool done = terms_ == 4 ? condense<3>(span, parameters, points)
+                                  : condense<0>(span, parameters, points);
+    return done ? std::span<double>(rows_) : std::span<double>();
 }
 
 template <std::size_t Fixed>

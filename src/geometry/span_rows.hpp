@@ -23,14 +23,17 @@ public:
     /// d+1 numbers and then x, y, z of the right side.
     [[nodiscard]] std::size_t rowSize() const noexcept { return terms_ + 3; }
 
-    /// Rows equivalent to the data of this span (not an empty one), one after the other, the
-    /// caller's until the next call. Parameters and points belong together. O(m d + d³).
-    [[nodiscard]] std::span<double> of(std::size_t span, std::span<const double> parameters,
-                                       std::span<const Vec3> points);
+    // Of a span that is not empty; parameters and points belong together. The rows stand one after
+    // the other and are the caller's until the next call.
+    /// One row a datum. O(m d²).
+    [[nodiscard]] std::span<double> each(std::size_t span, std::span<const double> parameters,
+                                         std::span<const Vec3> points);
+    /// d+1 rows instead; none where so few would not pay, or where the data are not spread over the
+    /// span well enough. O(m d + d³).
+    [[nodiscard]] std::span<double> condensed(std::size_t span, std::span<const double> parameters,
+                                              std::span<const Vec3> points);
 
 private:
-    void addEach(std::size_t span, std::span<const double> parameters,
-                 std::span<const Vec3> points);
     /// `Fixed` is the degree where it is known, so that loops unroll, else 0.
     template <std::size_t Fixed>
     [[nodiscard]] bool condense(std::size_t span, std::span<const double> parameters,

@@ -374,7 +374,7 @@ TEST(Fitting, CrowdedDataInASpanAreStillSolvedWell) {
     const auto curve = fittingCurve(random, 3, Form::clamped);
     auto ts = dataParameters(curve.knotVector(), random, 0);
     const double crowded = (curve.domain().start + curve.domain().end) / 2 + 0.01;
-    for (int i = 0; i < 500; ++i) ts.push_back(crowded + i * 1e-9);
+    for (int i = 0; i < 9000; ++i) ts.push_back(crowded + i * 1e-9);
     std::sort(ts.begin(), ts.end());
     const auto points = pointsOf(curve, ts);
     const auto fit = leastSquaresCurve(points, ts, curve.knotVector()).value();

@@ -110,6 +110,7 @@ test('what cannot be fitted is refused with the place of the fault', () => {
         [{ ...good, points: [[0, 0], [1, NaN]] }, 'NOT_FINITE', 'points[1][1]'],
         [{ ...good, points: new Float64Array(7) }, 'WRONG_LENGTH', 'points'],
         [{ ...good, points: new Float64Array(15) }, 'OUT_OF_RANGE', 'points'],
+        [{ ...good, points: Float64Array.of(0, 0, 0, 1, NaN, 0, 2, 2, 0, 3, 3, 0) }, 'NOT_FINITE', 'points[4]'],
         [{ ...good, degree: 2.5 }, 'NOT_INTEGER', 'degree'],
         [{ ...good, degree: 26 }, 'TOO_LARGE', 'degree'],
         [{ ...good, count: 2 }, 'OUT_OF_RANGE', 'count'],
