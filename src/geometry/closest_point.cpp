@@ -115,17 +115,28 @@ struct Stretch {
     double least = infinite;
     double leastSecond = infinite;
 
-    Stretch(const Probe& a, const Probe& m, const Probe& b) noexcept
+    /// `shortLength` is how long a stretch may be for its probes to stand for it where it has no
+    /// derivatives (beside a vertical tangent of a root they overflow).
+    Stretch(const Probe& a, const Probe& m, const Probe& b, double shortLength) noexcept
         : start(a), middle(m), end(b) {
         const double r = (b.t - a.t) / 4;
         for (const Probe* at : {&a, &m, &b}) {
-            least = std::min(least, at->f[0] - variation(at->f, 0, r));
-            leastSecond = std::min(leastSecond, at->f[2] - variation(at->f, 2, r));
+            least = lower(least, at->f[0] - variation(at->f, 0, r));
+            leastSecond = lower(leastSecond, at->f[2] - variation(at->f, 2, r));
         }
         const double excess = distrust(a, m, r) + distrust(m, b, r);
         least -= 8 * r * r * excess;
         leastSecond -= excess;
         if (std::isnan(least)) least = -infinite;
+        if (least == -infinite && b.t - a.t <= shortLength) {
+            const auto [low, high] = std::minmax({a.f[0], m.f[0], b.f[0]});
+            least = low - 4 * (high - low);
+        }
+    }
+
+    /// What is no number bounds nothing.
+    static double lower(double a, double b) noexcept {
+        return std::isnan(b) ? -infinite : std::min(a, b);
     }
 
     /// By how much more f″ differs between two probes than their higher derivatives allow: the
@@ -149,7 +160,8 @@ struct Stretch {
 
 class Search {
 public:
-    Search(const Curve& curve, const Vec3& p, double sign) : objective_(curve, p, sign) {}
+    Search(const Curve& curve, const Vec3& p, double sign)
+        : objective_(curve, p, sign), shortLength_(0x1p-40 * domain(curve).length()) {}
 
     [[nodiscard]] PointOnCurve run() {
         for (const Interval& piece : smoothPieces(objective_.curve())) {
@@ -185,7 +197,7 @@ private:
     }
 
     [[nodiscard]] Stretch between(const Probe& a, const Probe& b) {
-        return {a, probe(a.t + (b.t - a.t) / 2, Side::right), b};
+        return {a, probe(a.t + (b.t - a.t) / 2, Side::right), b, shortLength_};
     }
 
     void push(const Stretch& stretch) {
@@ -226,6 +238,7 @@ private:
     }
 
     Objective objective_;
+    double shortLength_;
     std::priority_queue<Stretch> queue_;
     PointOnCurve found_;
     double best_ = infinite;

@@ -68,14 +68,28 @@ struct Bounds {
     /// at which the curve is less smooth than its pieces promise, and C″ may be larger by that much.
     void distrust(const Probe& a, const Probe& b, double r) noexcept {
         double allowed = 0;
+        double allowedSlope = 0;
         for (const Probe* at : {&a, &b}) {
             const auto& c = at->rows;
-            allowed += r * majorant({glm::length(c[3]), glm::length(c[4]), glm::length(c[5]), 0}, r);
+            const std::array<double, 4> bends{glm::length(c[2]), glm::length(c[3]),
+                                              glm::length(c[4]), glm::length(c[5])};
+            allowed += r * majorant({bends[1], bends[2], bends[3], 0}, r);
+            allowedSlope += r * majorant(bends, r);
         }
+        if (hasCorner(a, b, r, allowedSlope)) bend = std::numeric_limits<double>::infinity();
         const double excess = 2 * (glm::length(b.rows[2] - a.rows[2]) - allowed);
         if (!(excess > 0)) return;
         bend += excess;
         turn += excess * std::max(glm::length(a.rows[1]), glm::length(b.rows[1]));
+    }
+    /// Whether the curve has another direction, or another place, at the second probe than C″ can
+    /// lead it to: a corner between them, which nothing bounds.
+    static bool hasCorner(const Probe& a, const Probe& b, double r, double allowed) noexcept {
+        const Vec3 slopes = a.rows[1] + b.rows[1];
+        const double rounding = 1e-12 * glm::length(slopes) +
+                                8 * epsilon * (glm::length(a.rows[0]) + glm::length(b.rows[0])) / r;
+        if (glm::length(b.rows[1] - a.rows[1]) > allowed + rounding) return true;
+        return glm::length(b.rows[0] - a.rows[0] - r * slopes) > r * (allowed + rounding);
     }
     /// Not finite as soon as one of them is not.
     static double larger(double a, double b) noexcept {
