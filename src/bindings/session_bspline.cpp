@@ -80,7 +80,8 @@ int Session::curveBasis(int handle, double t, int derivatives) {
     }
     const auto count = static_cast<std::size_t>(spline->knotVector().pointCount());
     std::vector<double> rows(count * rowsOf(derivatives));
-    basisRows(spline->knotVector(), *inside, Side::right, derivatives, rows);
+    const Side side = *inside == spline->domain().end ? Side::left : Side::right;
+    basisRows(spline->knotVector(), *inside, side, derivatives, rows);
     return leave(std::move(rows), count);
 }
 

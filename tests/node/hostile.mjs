@@ -92,6 +92,12 @@ export const scenes = [
     { knotwork: 1, title: 'One', objects: [{ id: 'c1', ...curves[0] }, { id: 'c2', ...curves[8] }], effects: [{ target: 'c2', kind: 'rotate', period: 3 }] },
 ];
 
+/** Requests of kw.fit(). */
+export const fits = [
+    { points: [[0, 0], [1, 2], [2, -1], [3, 1], [4, 0], [5, 2]], degree: 2, count: 4, form: 'clamped', parameters: 'chord', interpolateEnds: true, smoothing: 0.1 },
+    { points: [[0, 0], [1, 2], [2, -1], [1, -2]], degree: 1, count: 3, form: 'open', parameters: [0, 0.25, 0.5, 1], knots: [-0.5, 0, 0.5, 1, 1.5] },
+];
+
 /**
  * The arguments of every method, by kind; a name with `?` may be left out, an object lists options.
  * @type {Record<string, Record<string, unknown[]>>}
@@ -109,7 +115,9 @@ export const methods = {
         frame: ['number', { side: 'string' }], closestPoint: ['list'],
     },
     BsplineCurve: {
-        insertKnot: ['number', 'integer?'], basis: ['number', { derivatives: 'integer' }], basisAt: ['list', { into: 'object' }],
+        insertKnot: ['number', 'integer?'], refine: ['list', { algorithm: 'string' }], osloMatrix: ['list'],
+        removeKnot: ['number', { tolerance: 'number' }], elevateDegree: ['integer?'], factorMatrices: ['number'],
+        split: ['number'], controlPoints: [{ into: 'into' }], basis: ['number', { derivatives: 'integer' }], basisAt: ['list', { into: 'object' }],
     },
     BlendingCurve: {
         withPose: ['integer', 'object'], blendBasis: ['number'], local: ['integer'], withKnots: ['list', { recut: 'boolean' }],
@@ -120,7 +128,9 @@ export const methods = {
 };
 
 /** Methods that take nothing. */
-export const withoutArguments = ['dispose', 'enclosingSphere', 'undo', 'redo', 'limitPoints', 'limitTangents'];
+export const withoutArguments = [
+    'dispose', 'enclosingSphere', 'undo', 'redo', 'limitPoints', 'limitTangents', 'bezierPieces', 'derivativeCurve', 'reversed',
+];
 
 const codes = new Set([
     'WRONG_TYPE', 'WRONG_LENGTH', 'NOT_FINITE', 'NOT_INTEGER', 'OUT_OF_RANGE', 'TOO_LARGE', 'UNKNOWN_NAME', 'UNKNOWN_FIELD',

@@ -20,6 +20,12 @@ export const tolerances = {
 };
 
 /**
+ * Bytes by which the module's memory in use may differ with nothing left behind: what is left over
+ * between two blocks is given to one of them where it is too small for another.
+ */
+export const allocatorSlack = 64;
+
+/**
  * Asserts that `act` is refused with this code and path.
  * @param {() => unknown} act
  * @param {string} code
