@@ -93,7 +93,7 @@ export const scenes = [
 ];
 
 /** Requests of kw.fit(). */
-export const fits = [
+export const fitRequests = [
     { points: [[0, 0], [1, 2], [2, -1], [3, 1], [4, 0], [5, 2]], degree: 2, count: 4, form: 'clamped', parameters: 'chord', interpolateEnds: true, smoothing: 0.1 },
     { points: [[0, 0], [1, 2], [2, -1], [1, -2]], degree: 1, count: 3, form: 'open', parameters: [0, 0.25, 0.5, 1], knots: [-0.5, 0, 0.5, 1, 1.5] },
 ];

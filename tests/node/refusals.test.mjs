@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import {
-    bFunctions, curves, kindOf, methods, placesOf, refusalOf, scenes, fits, traces, withoutArguments, withValue, wrong,
+    bFunctions, curves, kindOf, methods, placesOf, refusalOf, scenes, fitRequests, traces, withoutArguments, withValue, wrong,
     wrongCalls,
 } from './hostile.mjs';
 import { allocatorSlack, load } from './support.mjs';
@@ -14,7 +14,7 @@ const takers = [
     ...bFunctions.map((spec) => ({ name: `bFunction ${spec.family}`, take: kw.bFunction, spec })),
     ...curves.map((spec, i) => ({ name: `curve ${i}, ${spec.type}`, take: kw.curve, spec })),
     ...scenes.map((spec) => ({ name: 'scene', take: kw.scene, spec })),
-    ...fits.map((spec) => ({ name: 'fit', take: kw.fit, spec })),
+    ...fitRequests.map((spec) => ({ name: 'fit', take: kw.fit, spec })),
     ...traces.map((spec) => ({ name: `trace ${spec.algorithm}`, take: kw.trace, spec })),
 ];
 
