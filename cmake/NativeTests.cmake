@@ -41,6 +41,11 @@ target_compile_definitions(knotwork_tests PRIVATE
 target_include_directories(knotwork_tests SYSTEM PRIVATE "${rapidcheck_headers}")
 target_link_libraries(knotwork_tests PRIVATE
     knotwork_session knotwork_app knotwork_our_code GTest::gtest_main ${rapidcheck_library})
+# Of an inline function the linker keeps the first copy: the one that counts.
+if(KNOTWORK_COVERAGE)
+    target_link_options(knotwork_tests PRIVATE
+        "LINKER:--whole-archive" "$<TARGET_FILE:knotwork_geometry>" "LINKER:--no-whole-archive")
+endif()
 # A property that fails throws: rapidcheck is made so. What they test is compiled without exceptions.
 file(GLOB properties CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/cpp/properties/*.cpp")
 set_source_files_properties(${properties} PROPERTIES COMPILE_OPTIONS "-fexceptions;-frtti")

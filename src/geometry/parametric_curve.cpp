@@ -124,7 +124,7 @@ Prepared prepare(ParametricModel model, std::span<const double> p) noexcept {
         case torusKnot:
             return prepareTorusKnot(p[0], p[1], p[2], p[3]);
     }
-    return {parametric_model::Ellipse{1, 1}, twoPi};
+    return {parametric_model::Ellipse{1, 1}, twoPi};  // not reached: all models stand above
 }
 
 Vec3 toVec(const Planar<double>& p) noexcept { return {p[0], p[1], 0}; }

@@ -230,5 +230,47 @@ TEST(SmoothPieces, BeginAndEndAtTheKnotsOfTheLocalsToo) {
     }
 }
 
+/// B-functions with places in (0, 1) where a derivative jumps.
+struct Kinked {
+    const char* name;
+    BFunction blend;
+    std::vector<double> kinks;
+};
+
+std::vector<Kinked> kinkedBlends() {
+    const auto table = BFunction::makeTabulated(std::vector{0.0, 0.1, 0.15, 0.8, 1.0}).value();
+    const auto steep = BFunction::makeExpoRational(1, 1, 0.3, 0.4).value();  // λ = 0.4
+    const auto cubic = BFunction::makePolynomial(1, 1).value();
+    // 3x² − 2x³ = 1/4.
+    const double quarter = 0.5 - std::sin(pi / 18);
+    return {
+        {"tabulated", table, {0.25, 0.5, 0.75}},
+        {"expo-rational", steep, {0.4}},
+        {"dual", BFunction::makeDual(steep).value(), {0.6}},
+        {"symmetrised", BFunction::makeSymmetrised(steep).value(), {0.4, 0.6}},
+        {"mixed", BFunction::makeMixed(table, steep, 0.3).value(), {0.25, 0.4, 0.5, 0.75}},
+        {"kinks outside", BFunction::makeComposed(table, cubic).value(), {quarter, 0.5, 1 - quarter}},
+        {"kinks inside", BFunction::makeComposed(cubic, steep).value(), {0.4}},
+    };
+}
+
+TEST(SmoothPieces, EndWhereTheBFunctionOfABlendIsNotSmooth) {
+    const std::vector<double> knots{0, 1, 3.1};
+    for (const auto& [name, blend, kinks] : kinkedBlends()) {
+        const Curve curve(BlendingCurve::fromModel(Curve(make("circle")), 3, BlendForm::open, blend,
+                                                   knots, {})
+                              .value());
+        const std::vector<Interval> pieces = smoothPieces(curve);
+        for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+            for (const double x : kinks) {
+                const double t = knots[i] + x * (knots[i + 1] - knots[i]);
+                EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(), [&](const Interval& piece) {
+                    return std::abs(piece.end - t) < 1e-14;
+                })) << name << " at " << t;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace knotwork::test

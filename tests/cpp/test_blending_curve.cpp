@@ -258,6 +258,8 @@ TEST(BlendingCurve, BadKnotsAreRefusedWithTheirPlace) {
         {{0, 1, 2, 3e9}, BlendForm::open, Code::outOfRange, "knots[3]"},
         {{0, 1e-14, 1, 2}, BlendForm::open, Code::outOfRange, "knots[1]"},
         {{0, 0, 1, 2, 2}, BlendForm::closed, Code::knotsMultiplicity, "knots[4]"},
+        {{0, 2e-7, 4e-7, 8e-7}, BlendForm::open, Code::outOfRange, "knots"},
+        {{1e6, 1e6 + 1e-4, 1e6 + 3e-4, 1e6 + 9e-4}, BlendForm::open, Code::outOfRange, "knots"},
     };
     for (const Refusal& refusal : refusals) {
         const auto made = BlendingCurve::fromModel(model("circle"), 4, refusal.form, BFunction(),
@@ -268,6 +270,25 @@ TEST(BlendingCurve, BadKnotsAreRefusedWithTheirPlace) {
     }
     const auto one = BlendingCurve::fromModel(model("circle"), 1, BlendForm::open, BFunction(), {}, {});
     EXPECT_EQ(one.error().path, "locals.count");
+}
+
+TEST(BlendingCurve, ThereAreTwoLocalsAtLeastAndAPoseForEach) {
+    const auto alone = BlendingCurve::fromLocals({model("circle")}, BlendForm::open, BFunction(), {},
+                                                 true, {});
+    EXPECT_EQ(alone.error().code, Code::outOfRange);
+    EXPECT_EQ(alone.error().path, "locals");
+    std::vector<Pose> poses(3);
+    const auto posed = [&] {
+        return BlendingCurve::fromModel(model("circle"), 4, BlendForm::closed, BFunction(), {}, poses);
+    };
+    EXPECT_EQ(posed().error().code, Code::wrongLength);
+    EXPECT_EQ(posed().error().path, "poses");
+    poses.resize(4);
+    poses[2].scale.x = 0;
+    EXPECT_EQ(posed().error().code, Code::outOfRange);
+    EXPECT_EQ(posed().error().path, "poses[2].scale");
+    poses[2].scale.x = -1;
+    EXPECT_TRUE(posed().ok());
 }
 
 }  // namespace

@@ -291,6 +291,20 @@ TEST(Hodograph, OfARationalCurveOfDegreeThirteenIsNotSupported) {
     EXPECT_EQ(made.error().path, "degree");
 }
 
+TEST(Hodograph, OfWeightsWhoseSquaresAreTooFarApartIsNotSupported) {
+    const auto of = [](double least, double most) {
+        return derivativeCurve(BsplineCurve::make(KnotVector::uniform(2, 3, Form::clamped).value(),
+                                                  {{0, 0, 0}, {1, 2, 0}, {4, 2, 0}}, 2,
+                                                  {least, 1, most})
+                                   .value());
+    };
+    EXPECT_TRUE(of(1e-4, 1e4).ok());
+    const auto made = of(1e-6, 1e6);
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().code, Code::notSupported);
+    EXPECT_EQ(made.error().path, "weights[0]");
+}
+
 // --- factor matrices --------------------------------------------------------------------------
 
 /// rows × columns times columns.

@@ -123,6 +123,11 @@ TEST(JetFunctions, RootsAndPowersOfZeroHaveTheirOneSidedDerivatives) {
     EXPECT_EQ(pow(t, t)[0], 1);
     EXPECT_TRUE(std::isnan(pow(t, t)[1]));
     EXPECT_EQ(pow(t, 1.0 + t)[1], 1);
+    // Of t⁶ to the third order no more is known than that it is O(t⁴): its root is O(t²).
+    const Jet lost = pow(Jet::variable(0, 3), 6);
+    EXPECT_EQ(sqrt(lost)[1], 0);
+    EXPECT_TRUE(std::isnan(sqrt(lost)[2]));
+    EXPECT_EQ(pow(lost, 1.25)[3], 0);
     EXPECT_EQ(asin(Jet::variable(1, 2), Side::left)[1], infinity);
     EXPECT_TRUE(std::isnan(asin(Jet::variable(1, 2), Side::right)[1]));
 }

@@ -144,6 +144,23 @@ TEST(LocalCut, WhereTheModelStandsStillLinesAndArcsRest) {
     }
 }
 
+TEST(LocalCut, WhereTheModelHasNoDerivativesThereAreNoTangentsButSubCurves) {
+    const Curve root(FormulaCurve::make({.x = "t", .y = "sqrt(t)", .domain = {0, 2}}).value());
+    const auto cut = [&](LocalKind kind, std::vector<double> knots) {
+        return BlendingCurve::fromModel(root, 3, BlendForm::open, BFunction(), std::move(knots), {},
+                                        {kind, 3});
+    };
+    for (const LocalKind kind : {LocalKind::line, LocalKind::arc, LocalKind::bezier}) {
+        const auto made = cut(kind, {0, 1, 2});
+        ASSERT_FALSE(made.ok());
+        EXPECT_EQ(made.error().code, Code::notFinite);
+        EXPECT_EQ(made.error().path, "model");
+        EXPECT_TRUE(cut(kind, {0.5, 1, 2}).ok());
+    }
+    EXPECT_TRUE(cut(LocalKind::subCurve, {0, 1, 2}).ok());
+    EXPECT_TRUE(cut(LocalKind::bspline, {0, 1, 2}).ok());
+}
+
 TEST(LocalCut, AtACornerTheSideThatIsSeenCounts) {
     // A polygon with a corner at every whole parameter.
     const Curve polygon = test::spline(1, Form::clamped, {}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {3, 1, 0}});

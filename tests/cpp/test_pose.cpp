@@ -68,6 +68,10 @@ TEST(Pose, WhatCannotBeAPoseIsRefusedWithItsPath) {
     Pose lost;
     lost.translate.x = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(checkPose(lost).error().code, Code::notFinite);
+    Pose spinning;
+    spinning.angle = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(checkPose(spinning).error().code, Code::notFinite);
+    EXPECT_EQ(checkPose(spinning).error().path, "rotate.angle");
     EXPECT_TRUE(checkPose(Pose{}).ok());
 }
 

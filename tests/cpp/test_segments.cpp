@@ -296,6 +296,11 @@ TEST(SegmentSpecs, BadOnesAreRefusedWithTheirPlace) {
     std::vector<Vec3> many(27, Vec3(0));
     EXPECT_EQ(BezierCurve::make(many, {}, unit).error().code, Code::tooLarge);
     EXPECT_EQ(ArcCurve::make(0, {0, 0, 0}, {1e-170, 0, 0}, {1, 1, 0}, unit).error().path, "first");
+    for (const double at : {std::nan(""), -2e9}) {
+        const auto made = ArcCurve::make(at, {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, unit);
+        EXPECT_EQ(made.error().code, std::isnan(at) ? Code::notFinite : Code::outOfRange);
+        EXPECT_EQ(made.error().path, "at");
+    }
 }
 
 }  // namespace

@@ -1,0 +1,56 @@
+// What holds for curves of every kind.
+#include "geometry/curve.hpp"
+
+#include "support/zoo.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace knotwork::test {
+namespace {
+
+TEST(ParameterInDomain, IsTheParameterItselfOrWrappedWhereTheCurveIsClosed) {
+    for (const Animal& animal : wholeZoo()) {
+        const Interval whole = domain(animal.curve);
+        for (const double share : {0.0, 0.25, 0.7, 1.0}) {
+            const double t = share == 1 ? whole.end : whole.start + share * whole.length();
+            EXPECT_EQ(parameterInDomain(animal.curve, t).value(), t) << animal.name;
+        }
+        const double beyond = whole.end + 2.25 * whole.length();
+        const auto wrapped = parameterInDomain(animal.curve, beyond);
+        ASSERT_EQ(wrapped.ok(), isClosed(animal.curve)) << animal.name;
+        if (wrapped) {
+            EXPECT_NEAR(*wrapped, whole.start + whole.length() / 4, 1e-14 * beyond) << animal.name;
+        } else {
+            EXPECT_EQ(wrapped.error().code, Code::outOfRange);
+            EXPECT_EQ(wrapped.error().path, "t");
+        }
+    }
+}
+
+TEST(ParameterInDomain, IsAFiniteNumber) {
+    for (const double t : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        const auto found = parameterInDomain(rationalCircle(), t);
+        ASSERT_FALSE(found.ok());
+        EXPECT_EQ(found.error().code, Code::notFinite);
+        EXPECT_EQ(found.error().path, "t");
+    }
+}
+
+TEST(CurveSampler, ThatIsMovedSamplesTheCurveItWasMadeOf) {
+    const Curve circle(make("circle"));
+    CurveSampler sampler(spline(3, Form::clamped, {}, sShape()));
+    sampler = CurveSampler(circle);
+    std::vector<double> xyz(3 * 5);
+    sampler.uniform(0, 5, 5, xyz);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const Vec3 expected = pointAt(circle, uniformParameter(domain(circle), i, 5));
+        EXPECT_EQ(Vec3(xyz[3 * i], xyz[3 * i + 1], xyz[3 * i + 2]), expected);
+    }
+}
+
+}  // namespace
+}  // namespace knotwork::test
