@@ -1,6 +1,7 @@
 #include "bindings/session.hpp"
 
 #include "bindings/marshal.hpp"
+#include "geometry/uniform_parameters.hpp"
 
 #include <algorithm>
 
@@ -157,9 +158,7 @@ bool Session::bFunctionSample(int handle, unsigned first, unsigned count, unsign
     const auto* held = find<Made<BFunction>>(handle);
     if (!held) return false;
     const std::size_t samples = std::min<std::size_t>(count, blockPoints);
-    for (std::size_t i = 0; i < samples; ++i) {
-        parameters_[i] = uniformParameter({0, 1}, first + i, total);
-    }
+    uniformParameters({0, 1}, first, total, {parameters_.data(), samples});
     held->value.sample({parameters_.data(), samples}, {block_.data(), samples});
     return true;
 }

@@ -16,7 +16,7 @@ constexpr std::size_t noSampler = std::numeric_limits<std::size_t>::max();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // With room for the kernels to read whole groups of four.
-using Block = std::array<double, blockSize + 4>;
+using Block = std::array<double, blockSize + 6>;
 
 /// The degree of a curve that is one polynomial, small enough for the power form; otherwise 0.
 std::size_t polynomialDegree(const Curve& curve) noexcept {
@@ -155,12 +155,12 @@ const BlendingSampler::Piece* BlendingSampler::fill(std::span<const double> ts, 
         return nullptr;
     }
     const Piece& piece = pieceAt(t);
-    run.ts[0] = t;
+    const double end = std::min(piece.end, whole.end);
     for (most = std::min(most, ts.size() - first); run.count < most; ++run.count) {
         const double next = ts[first + run.count];
-        if (!(piece.start <= next && next < piece.end) || next == whole.end) break;
-        run.ts[run.count] = next;
+        if (!(piece.start <= next && next < end)) break;
     }
+    std::copy_n(&ts[first], run.count, run.ts.begin());
     std::fill_n(&run.ts[run.count], 4, piece.span.start);
     return &piece;
 }
@@ -181,13 +181,14 @@ void BlendingSampler::points(std::span<const double> ts, std::span<double> xyz) 
 
 void BlendingSampler::blend(const Piece& piece, Run& run, double* xyz) const noexcept {
     if (piece.method == Method::one) return local(piece.span.first, 0, run, xyz);
-    const double perLength = 1 / piece.span.length;
-    for (std::size_t i = 0; i < run.count + 4; ++i) {
-        run.weights[i] = (run.ts[i] - piece.span.start) * perLength;
-    }
-    if (piece.method == Method::polynomials) {
-        // u = 2w − 1; the parameters themselves are no longer needed.
-        for (std::size_t i = 0; i < run.count + 4; ++i) run.ts[i] = 2 * run.weights[i] - 1;
+    const simd::Double2 start = simd::splat(piece.span.start);
+    const simd::Double2 perLength = simd::splat(1 / piece.span.length);
+    // Of polynomials u = 2w − 1 takes the place of t, which is no longer needed.
+    const bool polynomials = piece.method == Method::polynomials;
+    for (std::size_t i = 0; i < run.count + 4; i += 2) {
+        const simd::Double2 w = (simd::load(&run.ts[i]) - start) * perLength;
+        simd::store(&run.weights[i], w);
+        if (polynomials) simd::store(&run.ts[i], simd::splat(2) * w - simd::splat(1));
     }
     const std::span<double> weights(run.weights.data(), run.count);
     curve_.blend().sample(weights, weights);

@@ -2,6 +2,7 @@
 
 #include "geometry/blending_sampler.hpp"
 #include "geometry/piecewise_polynomial.hpp"
+#include "geometry/uniform_parameters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -151,9 +152,7 @@ void CurveSampler::uniform(std::size_t first, std::size_t count, std::size_t tot
     std::array<double, blockSize> ts{};
     for (std::size_t done = 0; done < count; done += blockSize) {
         const std::size_t part = std::min(blockSize, count - done);
-        for (std::size_t i = 0; i < part; ++i) {
-            ts[i] = uniformParameter(whole, first + done + i, total);
-        }
+        uniformParameters(whole, first + done, total, {ts.data(), part});
         prepared_->points({ts.data(), part}, xyz.data() + 3 * done);
     }
 }

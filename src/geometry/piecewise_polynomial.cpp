@@ -4,6 +4,7 @@
 #include "geometry/polynomial_kernels.hpp"
 #include "geometry/polynomial_piece.hpp"
 #include "geometry/simd.hpp"
+#include "geometry/uniform_parameters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -126,19 +127,30 @@ std::size_t firstIndexFrom(const Interval& domain, double t, std::size_t total) 
 // uniformParameter(): steps of a rounded width would drift away from them.
 void fillUniform(Block& us, std::size_t count, const Interval& domain, std::size_t first,
                  std::size_t total, double origin, double scale) noexcept {
-    const simd::Double2 start = simd::splat(domain.start);
-    const simd::Double2 length = simd::splat(domain.length());
-    const simd::Double2 intervals = simd::splat(static_cast<double>(total - 1));
     const simd::Double2 from = simd::splat(origin);
     const simd::Double2 by = simd::splat(scale);
-    const simd::Double2 two = simd::splat(2);
-    const std::array<double, 2> indices{static_cast<double>(first), static_cast<double>(first + 1)};
-    simd::Double2 index = simd::load(indices.data());
-    for (std::size_t k = 0; k < count; k += 2) {
-        const simd::Double2 t = start + length * index / intervals;
-        simd::store(&us[k], (t - from) * by);
-        index = index + two;
-    }
+    UniformPairs pairs(domain, first, total);
+    for (std::size_t k = 0; k < count; k += 2) simd::store(&us[k], (pairs.next() - from) * by);
+}
+
+// Cubics in space are what is drawn most: their parameters are made on the way, so that the
+// divisions for some of them run beside the products for others.
+void uniformCubics(const double* c, std::size_t count, const Interval& domain, std::size_t first,
+                   std::size_t total, double origin, double scale, double* xyz) noexcept {
+    const simd::Double2 from = simd::splat(origin);
+    const simd::Double2 by = simd::splat(scale);
+    UniformPairs pairs(domain, first, total);
+    const auto four = [&](double* to) {
+        const simd::Double2 u0 = (pairs.next() - from) * by;
+        const simd::Double2 u1 = (pairs.next() - from) * by;
+        kernels::hornerPairs<3, 3>(c, 3, u0, u1, to);
+    };
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) four(xyz + 3 * i);
+    if (i == count) return;
+    std::array<double, 12> last;
+    four(last.data());
+    std::copy_n(last.data(), 3 * (count - i), xyz + 3 * i);
 }
 
 }  // namespace
@@ -166,6 +178,10 @@ void BsplineSampler::uniformRun(std::size_t piece, std::size_t first, std::size_
                                 std::size_t total, double* xyz) const noexcept {
     const Piece& p = pieces_[piece];
     const Terms terms = termsOf(piece);
+    if (!bernstein_ && degree_ == 3 && components_ == 3) {
+        return uniformCubics(terms.values.data(), count, domain_, first, total, p.origin, p.scale,
+                             xyz);
+    }
     Block us;
     for (std::size_t done = 0; done < count; done += blockSize) {
         const std::size_t size = std::min(blockSize, count - done);

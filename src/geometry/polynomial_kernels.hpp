@@ -43,10 +43,8 @@ void storePair(double* to, const Pair<Components>& sum) noexcept {
 // Horner's rule. Two pairs at a time hide the latency of the chain of products. Fixed is the degree
 // where it is known to the compiler, else 0.
 template <std::size_t Components, std::size_t Fixed>
-void hornerFour(const double* c, std::size_t degree, const double* u, double* xyz) noexcept {
+void hornerPairs(const double* c, std::size_t degree, Double2 u0, Double2 u1, double* xyz) noexcept {
     const std::size_t d = Fixed > 0 ? Fixed : degree;
-    const Double2 u0 = simd::load(u);
-    const Double2 u1 = simd::load(u + 2);
     Pair<Components> sum0 = loadTerm<Components>(c + d * Components);
     Pair<Components> sum1 = sum0;
     for (std::size_t k = d; k-- > 0;) {
@@ -58,6 +56,11 @@ void hornerFour(const double* c, std::size_t degree, const double* u, double* xy
     }
     storePair(xyz, sum0);
     storePair(xyz + 6, sum1);
+}
+
+template <std::size_t Components, std::size_t Fixed>
+void hornerFour(const double* c, std::size_t degree, const double* u, double* xyz) noexcept {
+    hornerPairs<Components, Fixed>(c, degree, simd::load(u), simd::load(u + 2), xyz);
 }
 
 // sum binomial b_k u^k (1-u)^(d-k) by one pass of Horner's rule in both: no cancellation on [0, 1].
