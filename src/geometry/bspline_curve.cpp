@@ -35,13 +35,11 @@ bool isPlain(const Vec3& point, int dimension) noexcept {
            std::abs(point.z) <= (dimension == 2 ? 0 : largestCoordinate);
 }
 
-MaybeError checkPoint(const Vec3& point, std::size_t index, int dimension) {
+/// What is wrong with a point that is not plain.
+MaybeError refusePoint(const Vec3& point, std::size_t index) {
     if (!allowedCoordinates(point)) return checkCoordinates(point, indexed("points", index));
-    if (dimension == 2 && point.z != 0) {
-        return refuse(Code::outOfRange, indexed("points", index),
-                      "z is " + formatNumber(point.z) + "; it must be 0 in two dimensions");
-    }
-    return {};
+    return refuse(Code::outOfRange, indexed("points", index),
+                  "z is " + formatNumber(point.z) + "; it must be 0 in two dimensions");
 }
 
 MaybeError checkWeight(double weight, std::size_t index) {
@@ -65,8 +63,7 @@ MaybeError checkCurve(int pointCount, std::span<const Vec3> points, int dimensio
     }
     if (auto error = checkLength(points.size(), pointCount, "points")) return error;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (isPlain(points[i], dimension)) continue;
-        if (auto error = checkPoint(points[i], i, dimension)) return error;
+        if (!isPlain(points[i], dimension)) return refusePoint(points[i], i);
     }
     if (weights.empty()) return {};
     if (auto error = checkLength(weights.size(), pointCount, "weights")) return error;

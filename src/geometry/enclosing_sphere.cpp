@@ -211,7 +211,7 @@ Sphere sphereAround(Points points, SphereMethod method) noexcept {
         case SphereMethod::ritter: return ritterSphere(points);
         case SphereMethod::incremental: return grownOver({points[0], 0}, points);
     }
-    return {};
+    return {};  // not reached: there are no other methods
 }
 
 }  // namespace

@@ -136,6 +136,8 @@ TEST(BFunctionFormula, RefusesWhatIsNoBFunctionAndNamesTheAxiom) {
         {"t^3-0.001*t*(1-t)", Code::outOfRange, "D4"},
         {"t+sin(2*pi*t*1000)/6280", Code::outOfRange, "D4"},
         {"((t-1/3)^3+1/27)/((2/3)^3+1/27)-1e-5*t*(1-t)", Code::outOfRange, "D4"},
+        {"t-(abs(t-1/pi)/(t-1/pi)+1-2*t)/100", Code::outOfRange, "D4"},  // falls at a jump only
+        {"t-(abs(t-2.8/pi)/(t-2.8/pi)+1-2*t)/5", Code::outOfRange, "D1"},  // 1.24 before it falls
         {"1/t", Code::notFinite, "D2"},
         {"sqrt(t-0.5)", Code::notFinite, "D2"},
         {"t/(2-t)/(1-(t-0.5)*0)/((t-0.5)/(t-0.5))", Code::notFinite, "D1"},

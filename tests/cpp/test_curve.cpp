@@ -40,6 +40,25 @@ TEST(ParameterInDomain, IsAFiniteNumber) {
     }
 }
 
+TEST(BreakParameters, OfALocalCurveAreTheKnotsOfItsSourceWhereItTakesPart) {
+    const Curve source = spline(2, Form::clamped, {0, 0, 0, 1, 2, 4, 4, 4},
+                                {{0, 0, 0}, {1, 1, 0}, {2, 0, 0}, {3, 2, 0}, {4, 0, 0}});
+    const auto fitted = BlendingCurve::fromLocals({source, source}, BlendForm::open, BFunction(),
+                                                  {10, 12}, true, {});
+    ASSERT_TRUE(fitted.ok());
+    const Curve local(fitted->locals()[1].withBreaks());
+    EXPECT_EQ(breakParameters(local, domain(local)), (std::vector<double>{10.5, 11}));
+    EXPECT_EQ(breakParameters(local, {10.6, 12}), (std::vector<double>{11}));
+}
+
+TEST(Dimension, OfASubdivisionCurveIsThatOfItsPoints) {
+    CurveSubdivision subdivision;
+    subdivision.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    EXPECT_EQ(dimension(Curve(SubdivisionCurve::make(subdivision).value())), 2);
+    subdivision.points[2].z = 1e-9;
+    EXPECT_EQ(dimension(Curve(SubdivisionCurve::make(subdivision).value())), 3);
+}
+
 TEST(CurveSampler, ThatIsMovedSamplesTheCurveItWasMadeOf) {
     const Curve circle(make("circle"));
     CurveSampler sampler(spline(3, Form::clamped, {}, sShape()));

@@ -190,6 +190,23 @@ TEST(Frame, OfAPolygonInSpaceIsCarriedRoundItsCorners) {
     expectNear(frame(straight, 0.1).normal, frame(straight, 0.9).normal, 1e-15);
 }
 
+TEST(Frame, OnAStraightStartIsCarriedBackFromWhereTheCurveFirstBends) {
+    // Along x, then along z, then a parabola that leaves z towards x.
+    const Curve curve = spline(2, Form::clamped, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
+                               {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 0, 1}, {2, 0, 2}, {2, 0, 3}, {3, 0, 3}});
+    expectNear(frame(curve, 2, Side::right).normal, {1, 0, 0}, 1e-15);
+    expectNear(frame(curve, 1.3).normal, {1, 0, 0}, 1e-15);
+    expectNear(frame(curve, 1, Side::left).normal, {0, 0, -1}, 1e-15);
+    expectNear(frame(curve, 0).normal, {0, 0, -1}, 1e-15);
+}
+
+TEST(Frame, WhereAWholeSpanStandsStillTheTangentIsThatOfTheNearestOther) {
+    const Curve curve = spline(2, Form::clamped, {},
+                               {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 2, 0}, {2, 2, 0}});
+    expectNear(frame(curve, 0.5).tangent, {0, 1, 0}, 1e-15);
+    expectNear(frame(curve, 0).tangent, {0, 1, 0}, 1e-15);
+}
+
 TEST(Frame, AtACuspLooksInTheDirectionOfItsSide) {
     const Curve astroid(make("astroid"));
     expectNear(frame(astroid, 0).tangent, {-1, 0, 0}, 1e-14);

@@ -381,6 +381,30 @@ TEST(Fitting, CrowdedDataInASpanAreStillSolvedWell) {
     EXPECT_LE(farthest(fit.points(), curve.points()), test::gates::fitted);
 }
 
+TEST(Fitting, WhatCannotBeFittedIsRefusedWithItsReason) {
+    const auto refusal = [](const auto& made) {
+        return made.ok() ? "ok" : std::string(codeName(made.error().code)) + " " + made.error().path;
+    };
+    const std::vector<Vec3> tooMany(maxDataCount + 1, Vec3(1, 2, 0));
+    const auto knots = KnotVector::uniform(2, 3, Form::clamped).value();
+    EXPECT_EQ(refusal(leastSquaresCurve(tooMany, {}, knots)), "TOO_LARGE points");
+    // The parabola through them has its middle control point at twice that height.
+    const std::vector<double> ts{0, 0.5, 1};
+    const auto hill = [&](double height) {
+        const std::vector<Vec3> points{{0, 0, 0}, {1, height, 0}, {2, 0, 0}};
+        return refusal(leastSquaresCurve(points, ts, knots));
+    };
+    EXPECT_EQ(hill(4e11), "ok");
+    EXPECT_EQ(hill(6e11), "OUT_OF_RANGE controlPoints[1]");
+    // A millisecond at the parameter 10⁸ is no domain.
+    const std::vector<Vec3> corner{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+    FitRequest late{.degree = 1, .count = 2};
+    late.parameters = std::vector<double>{1e8, 1e8 + 5e-4, 1e8 + 1e-3};
+    EXPECT_EQ(refusal(fitCurve(corner, late)), "OUT_OF_RANGE parameters");
+    late.parameters = std::vector<double>{1e8, 1e8 + 5, 1e8 + 10};
+    EXPECT_EQ(refusal(fitCurve(corner, late)), "ok");
+}
+
 TEST(Fitting, ResidualsAreThoseOfTheCurve) {
     RandomSplines random(62);
     for (const Form form : allForms) {

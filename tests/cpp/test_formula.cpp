@@ -266,6 +266,16 @@ TEST(Formula, IsTotalWhereItHasNoValue) {
     EXPECT_TRUE(std::isnan(read("(-1)^t").value(0.5)));
 }
 
+TEST(FormulaErrors, AnUnknownNameIsAnsweredWithTheFirstTwentyParameters) {
+    std::vector<NamedValue> parameters;
+    const auto listed = [&] { return Formula::make("c*t", "x", parameters).error().message; };
+    parameters.assign({{"a", 1}, {"b_2", 2}});
+    EXPECT_NE(listed().find("t, pi, e, a, b_2 and the functions"), std::string::npos) << listed();
+    parameters.clear();
+    for (int i = 0; i < 21; ++i) parameters.emplace_back("p" + std::to_string(i), i);
+    EXPECT_NE(listed().find("p18, p19, … and the functions"), std::string::npos) << listed();
+}
+
 TEST(FormulaErrors, ParametersHaveNamesThatFormulasCanUse) {
     const auto codeOf = [](const std::vector<NamedValue>& parameters) {
         const auto error = checkFormulaParameters(parameters, "parameters");

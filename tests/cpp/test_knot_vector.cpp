@@ -213,6 +213,15 @@ TEST(KnotVector, UniformRefusesSizesAsMakeDoes) {
     EXPECT_EQ(KnotVector::uniform(3, 200'000, Form::open).error().code, Code::tooLarge);
 }
 
+TEST(KnotVector, KnotsMayBeAsNearEachOtherAsTheirOwnSizeAllowsHoweverFarTheOthersAre) {
+    const auto made = [](double gap) {
+        return KnotVector::make({-1e9, 0, gap, 1, 1e9}, 1, 3, Form::open);
+    };
+    EXPECT_TRUE(made(1e-7).ok());
+    ASSERT_FALSE(made(1e-13).ok());
+    EXPECT_EQ(made(1e-13).error().path, "knots[2]");
+}
+
 TEST(KnotVector, CountMessageGivesBothNumbers) {
     const auto made = KnotVector::make({0, 1, 2, 3, 4}, 2, 3, Form::open);
     EXPECT_NE(made.error().message.find("5 knots given, 6 needed"), std::string::npos);
