@@ -191,13 +191,16 @@ TEST(Frame, OfAPolygonInSpaceIsCarriedRoundItsCorners) {
 }
 
 TEST(Frame, OnAStraightStartIsCarriedBackFromWhereTheCurveFirstBends) {
-    // Along x, then along z, then a parabola that leaves z towards x.
-    const Curve curve = spline(2, Form::clamped, {0, 0, 0, 1, 1, 2, 2, 3, 3, 3},
-                               {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 0, 1}, {2, 0, 2}, {2, 0, 3}, {3, 0, 3}});
-    expectNear(frame(curve, 2, Side::right).normal, {1, 0, 0}, 1e-15);
-    expectNear(frame(curve, 1.3).normal, {1, 0, 0}, 1e-15);
-    expectNear(frame(curve, 1, Side::left).normal, {0, 0, -1}, 1e-15);
-    expectNear(frame(curve, 0).normal, {0, 0, -1}, 1e-15);
+    // Along y, x and z, then a parabola that leaves z towards x. From z to y by way of x the normal
+    // turns as it would not on the shortest way.
+    const Curve curve = spline(2, Form::clamped, {0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 4},
+                               {{0, -2, 0}, {0, -1, 0}, {0, 0, 0}, {1, 0, 0}, {2, 0, 0},
+                                {2, 0, 1}, {2, 0, 2}, {2, 0, 3}, {3, 0, 3}});
+    expectNear(frame(curve, 3, Side::right).normal, {1, 0, 0}, 1e-15);
+    expectNear(frame(curve, 2.3).normal, {1, 0, 0}, 1e-15);
+    expectNear(frame(curve, 2, Side::left).normal, {0, 0, -1}, 1e-15);
+    expectNear(frame(curve, 0.5).normal, {0, 0, -1}, 1e-15);
+    expectNear(frame(curve, 0).tangent, {0, 1, 0}, 1e-15);
 }
 
 TEST(Frame, WhereAWholeSpanStandsStillTheTangentIsThatOfTheNearestOther) {
