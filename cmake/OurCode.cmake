@@ -14,6 +14,11 @@ if(EMSCRIPTEN)
     list(APPEND KNOTWORK_CODE_OPTIONS -msimd128 -flto)
 endif()
 
+if(KNOTWORK_SANITIZE AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    # GCC cannot follow initialisation through its own instrumentation and says so of std::optional
+    list(APPEND KNOTWORK_WARNING_OPTIONS -Wno-maybe-uninitialized)
+endif()
+
 add_library(knotwork_our_code INTERFACE)
 target_compile_options(knotwork_our_code INTERFACE
     ${KNOTWORK_CODE_OPTIONS} ${KNOTWORK_WARNING_OPTIONS})
