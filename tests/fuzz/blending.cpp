@@ -43,10 +43,21 @@ Pose poseOf(fuzz::Input& input) {
     return pose;
 }
 
+/// Whether knots lie where the model is: far from it, polynomials of degree 25 overflow, and
+/// rational ones have poles wherever they are continued.
+bool near(const Interval& knots, const Curve& model) {
+    const auto* spline = model.as<BsplineCurve>();
+    const bool rational = spline != nullptr && spline->rational() && !spline->closed();
+    const Interval whole = domain(model);
+    const double reach = rational ? 0 : 100 * whole.length();
+    return knots.start >= whole.start - reach && knots.end <= whole.end + reach;
+}
+
 /// Σ weight · local, each local where the curve takes it, and the size of what is summed.
 void checkSum(const BlendingCurve& curve, double t) {
     const auto weights = curve.blendBasis(t);
     const double period = curve.domain().length();
+    const Side side = t == curve.domain().end ? Side::left : Side::right;
     const bool last = curve.closed() && t >= curve.knots()[curve.knots().size() - 2];
     Vec3 sum(0);
     double total = 0;
@@ -56,13 +67,14 @@ void checkSum(const BlendingCurve& curve, double t) {
         total += weights[j];
         if (weights[j] == 0) continue;
         const bool wraps = last && j == 0;
-        const Vec3 point = curve.locals()[j].point(wraps ? t - period : t);
+        Vec3 point;
+        curve.locals()[j].evaluate(wraps ? t - period : t, side, {&point, 1});
         size = std::max(size, glm::length(point));
         sum += weights[j] * point;
     }
     fuzz::checkWithin(std::abs(total - 1), 1e-14, "weights sum to one");
     Vec3 found;
-    curve.evaluate(t, t == curve.domain().end ? Side::left : Side::right, {&found, 1});
+    curve.evaluate(t, side, {&found, 1});
     fuzz::checkWithin(glm::length(found - sum) / size, rounding, "the curve is the weighted sum");
 }
 
@@ -99,9 +111,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         fuzz::check(curve.error().message.size() > 10, "a refusal says why");
         return 0;
     }
+    if (!near(curve->domain(), model)) return 0;
     for (const double t : fuzz::parametersOf(input, curve->domain(), curve->knots())) {
         checkRows(*curve, t);
-        checkSum(*curve, t);
+        if (curve->domain().contains(t)) checkSum(*curve, t);
     }
     return 0;
 }
