@@ -56,6 +56,9 @@ Vec3 pointAt(const Curve& curve, double t) noexcept {
     return point;
 }
 
+/// A closed curve that is gone round oftener than this is not looked at piece by piece.
+constexpr double mostBreaks = 1e6;
+
 std::vector<double> breakParameters(const Curve& curve, const Interval& part) {
     const std::span<const double> knots =
         std::visit([](const auto& kind) { return kind.breaks(); }, curve.kind());
@@ -65,6 +68,8 @@ std::vector<double> breakParameters(const Curve& curve, const Interval& part) {
     const auto turnAt = [&](double t) {
         return period > 0 ? std::floor((t - domain(curve).start) / period) : 0;
     };
+    const double turns = turnAt(part.end) - turnAt(part.start) + 1;
+    if (turns * static_cast<double>(knots.size()) > mostBreaks) return breaks;
     for (double turn = turnAt(part.start); turn <= turnAt(part.end); ++turn) {
         const auto first = std::lower_bound(knots.begin(), knots.end(), part.start - turn * period);
         for (auto knot = first; knot != knots.end(); ++knot) {
