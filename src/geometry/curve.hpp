@@ -61,8 +61,8 @@ void evaluate(const Curve& curve, double t, Side side, std::span<Vec3> rows) noe
 
 /// Parameters inside a part of the parameter, ends excluded, between which the curve is smooth
 /// (analytic, for all kinds but those with a B-function that is not): its knots, ascending and each
-/// once, repeated by periods where the curve is closed. The part may reach outside the domain; beyond a
-/// million of them there are none.
+/// once, repeated by periods where the curve is closed. The part may reach outside the domain;
+/// beyond a million of them there are none.
 [[nodiscard]] std::vector<double> breakParameters(const Curve& curve, const Interval& part);
 
 /// Points first … first+count−1 of `total` spread uniformly over the domain, both ends included,
