@@ -2,12 +2,15 @@
 #include "scene/scene.hpp"
 #include "support/blends.hpp"
 #include "support/json_text.hpp"
+#include "support/scene_commands.hpp"
 
 #include <gtest/gtest.h>
 
 namespace knotwork::scene {
 namespace {
 
+using test::expectDone;
+using test::expectRefused;
 using test::json;
 
 Scene lines() {
@@ -24,20 +27,6 @@ const Object& blend(const Scene& scene) { return *scene.state().objects[0]; }
 
 Vec3 slopeAt(const Scene& scene, double t) {
     return test::rowsOf<2>(blend(scene).curve, t)[1];
-}
-
-void expectDone(Scene& scene, std::string_view command) {
-    const auto done = scene.execute(json(command));
-    EXPECT_TRUE(done.ok()) << command << (done.ok() ? "" : done.error().path + done.error().message);
-}
-
-void expectRefused(Scene& scene, std::string_view command, Code code, std::string_view path) {
-    const std::string before = dumpJson(scene.document());
-    const auto done = scene.execute(json(command));
-    ASSERT_FALSE(done.ok()) << command;
-    EXPECT_EQ(codeName(done.error().code), codeName(code)) << command << done.error().message;
-    EXPECT_EQ(done.error().path, path) << command;
-    EXPECT_EQ(dumpJson(scene.document()), before) << command;
 }
 
 TEST(BlendingCommand, AMovedKnotCutsItsLocalCurveAnewUnlessItIsToStay) {

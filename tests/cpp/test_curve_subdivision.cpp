@@ -28,20 +28,11 @@ using test::wholePoints;
 
 constexpr double rounding = 1e-13;  // of a dozen levels, coordinates up to 50
 
-std::vector<Vec3> planar(const nlohmann::json& texts) {
-    std::vector<Vec3> points;
-    for (const auto& text : texts) {
-        const auto exact = test::rationals(text);
-        points.emplace_back(exact[0].value(), exact[1].value(), 0);
-    }
-    return points;
-}
-
 // ---- The truth ---------------------------------------------------------------------------------
 
 TEST(CurveSubdivisionTruth, LaneRiesenfeldOfTheSquareIsExactWithoutAnyShift) {
     for (const int degree : {1, 2, 3}) {
-        auto ring = planar(test::truth("LR")["d" + std::to_string(degree) + "_k1"]);
+        auto ring = test::planarPoints(test::truth("LR")["d" + std::to_string(degree) + "_k1"]);
         ASSERT_EQ(ring.front(), ring.back());
         ring.pop_back();
         EXPECT_EQ(subdivided(laneRiesenfeld(degree, square(), true, 1)), ring) << degree;
@@ -50,7 +41,7 @@ TEST(CurveSubdivisionTruth, LaneRiesenfeldOfTheSquareIsExactWithoutAnyShift) {
 
 TEST(CurveSubdivisionTruth, TheFourPointSchemeOfTheSquareIsExact) {
     EXPECT_EQ(subdivided(fourPoint(1.0 / 16, square(), true, 1)),
-              planar(test::truth("fourpoint_sq")["k1"]));
+              test::planarPoints(test::truth("fourpoint_sq")["k1"]));
 }
 
 // ---- Counts ------------------------------------------------------------------------------------

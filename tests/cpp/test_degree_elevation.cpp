@@ -14,26 +14,17 @@ namespace {
 using test::RandomSplines;
 using test::SplineKind;
 
-std::vector<Vec3> planar(const nlohmann::json& texts) {
-    std::vector<Vec3> points;
-    for (const auto& text : texts) {
-        const auto exact = test::rationals(text);
-        points.emplace_back(exact[0].value(), exact[1].value(), 0);
-    }
-    return points;
-}
-
 TEST(DegreeElevation, OfTheQuadraticIsTheTruth) {
     const auto& quad = test::truth("quad_curve");
     const auto& raised = test::truth("degree_elev");
     const auto knots = test::doubles(test::rationals(quad["knots"]));
     const auto curve = BsplineCurve::make(KnotVector::make(knots, 2, 5, Form::clamped).value(),
-                                          planar(quad["ctrl"]), 2);
+                                          test::planarPoints(quad["ctrl"]), 2);
     const auto cubic = elevateDegree(*curve, 1).value();
     const auto found = cubic.knotVector().knots();
     EXPECT_EQ(std::vector<double>(found.begin(), found.end()),
               test::doubles(test::rationals(raised["to_knots"])));
-    const auto expected = planar(raised["ctrl"]);
+    const auto expected = test::planarPoints(raised["ctrl"]);
     ASSERT_EQ(cubic.points().size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
         EXPECT_LE(glm::length(cubic.points()[i] - expected[i]), test::gates::exact) << i;

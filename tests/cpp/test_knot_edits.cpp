@@ -2,6 +2,7 @@
 #include "scene/scene.hpp"
 #include "support/gates.hpp"
 #include "support/json_text.hpp"
+#include "support/scene_commands.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +11,8 @@
 namespace knotwork::scene {
 namespace {
 
+using test::expectDone;
+using test::expectRefused;
 using test::json;
 
 constexpr const char* curves = R"({
@@ -27,20 +30,6 @@ constexpr const char* curves = R"({
 Scene open() { return Scene::open(json(curves)).value(); }
 
 const Json& object(const Scene& scene, std::size_t i) { return scene.state().objects[i]->spec; }
-
-void expectDone(Scene& scene, std::string_view command) {
-    const auto done = scene.execute(json(command));
-    EXPECT_TRUE(done.ok()) << command << ": " << (done.ok() ? "" : done.error().message);
-}
-
-void expectRefused(Scene& scene, std::string_view command, Code code, std::string_view path) {
-    const std::string before = dumpJson(scene.document());
-    const auto done = scene.execute(json(command));
-    ASSERT_FALSE(done.ok()) << command;
-    EXPECT_EQ(codeName(done.error().code), codeName(code)) << command << done.error().message;
-    EXPECT_EQ(done.error().path, path) << command;
-    EXPECT_EQ(dumpJson(scene.document()), before) << command;
-}
 
 double moved(const Curve& a, const Curve& b) {
     double largest = 0;

@@ -59,11 +59,8 @@ double sampledDeviation(const BsplineCurve& a, const BsplineCurve& b) {
     for (int i = 0; i <= 2000; ++i) {
         const double t = uniformParameter(a.domain(), static_cast<std::size_t>(i), 2001);
         for (const Side side : test::bothSides) {
-            Vec3 p;
-            Vec3 q;
-            a.derivatives(t, side, {&p, 1});
-            b.derivatives(t, side, {&q, 1});
-            largest = std::max(largest, glm::length(p - q));
+            const Vec3 apart = test::pointOf(a, t, side) - test::pointOf(b, t, side);
+            largest = std::max(largest, glm::length(apart));
         }
     }
     return largest;

@@ -17,15 +17,6 @@ namespace {
 using test::RandomSplines;
 using test::SplineKind;
 
-std::vector<Vec3> planar(const nlohmann::json& texts) {
-    std::vector<Vec3> points;
-    for (const auto& text : texts) {
-        const auto exact = test::rationals(text);
-        points.emplace_back(exact[0].value(), exact[1].value(), 0);
-    }
-    return points;
-}
-
 void expectPoints(std::span<const Vec3> found, const std::vector<Vec3>& expected) {
     ASSERT_EQ(found.size(), expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -46,13 +37,13 @@ TEST(KnotInsertion, OneByOneGivesTheRefinedPolygonOfTheTruth) {
     const auto& refined = test::truth("oslo_quad");
     const auto knots = test::doubles(test::rationals(quad["knots"]));
     auto curve = BsplineCurve::make(KnotVector::make(knots, 2, 5, Form::clamped).value(),
-                                    planar(quad["ctrl"]), 2)
+                                    test::planarPoints(quad["ctrl"]), 2)
                      .value();
     for (const double t : {2.0, 0.5, 3.5, 1.0}) curve = insertKnot(curve, t, 1).value();
     const auto expected = test::doubles(test::rationals(refined["to"]));
     const auto found = curve.knotVector().knots();
     EXPECT_EQ(std::vector<double>(found.begin(), found.end()), expected);
-    expectPoints(curve.points(), planar(refined["ctrl"]));
+    expectPoints(curve.points(), test::planarPoints(refined["ctrl"]));
 }
 
 // Piegl and Tiller, The NURBS Book, Ex. 5.1.

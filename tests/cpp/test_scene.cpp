@@ -4,6 +4,7 @@
 #include "scene/effects.hpp"
 #include "scene/fields.hpp"
 #include "support/json_text.hpp"
+#include "support/scene_commands.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,8 @@
 namespace knotwork::scene {
 namespace {
 
+using test::expectDone;
+using test::expectRefused;
 using test::json;
 
 constexpr const char* twoObjects = R"({
@@ -26,20 +29,6 @@ constexpr const char* twoObjects = R"({
                 {"target": "c1", "kind": "colour", "to": "#FFcc00", "period": 2.5}]})";
 
 Scene twoScene() { return Scene::open(json(twoObjects)).value(); }
-
-void expectDone(Scene& scene, std::string_view command) {
-    const auto done = scene.execute(json(command));
-    EXPECT_TRUE(done.ok()) << command << ": " << (done.ok() ? "" : done.error().path + " " + done.error().message);
-}
-
-void expectRefused(Scene& scene, std::string_view command, Code code, std::string_view path) {
-    const std::string before = dumpJson(scene.document());
-    const auto done = scene.execute(json(command));
-    ASSERT_FALSE(done.ok()) << command;
-    EXPECT_EQ(codeName(done.error().code), codeName(code)) << command << done.error().message;
-    EXPECT_EQ(done.error().path, path) << command;
-    EXPECT_EQ(dumpJson(scene.document()), before) << command;
-}
 
 const Json& object(const Scene& scene, std::size_t i) { return scene.state().objects[i]->spec; }
 

@@ -164,15 +164,6 @@ bool sameRing(const std::vector<Vec3>& found, const std::vector<Vec3>& ring) {
     return false;
 }
 
-std::vector<Vec3> planar(const nlohmann::json& texts) {
-    std::vector<Vec3> points;
-    for (const auto& text : texts) {
-        const auto exact = test::doubles(test::rationals(text));
-        points.emplace_back(exact[0], exact[1], 0);
-    }
-    return points;
-}
-
 TEST(TraceLaneRiesenfeld, EndsWithTheRingsOfTheTruth) {
     for (int degree = 1; degree <= 3; ++degree) {
         const Trace trace =
@@ -181,7 +172,7 @@ TEST(TraceLaneRiesenfeld, EndsWithTheRingsOfTheTruth) {
         // the beginning, doubling, d - 1 averagings, the level
         ASSERT_EQ(trace.frames.size(), 2 + static_cast<std::size_t>(degree));
         const std::string name = "d" + std::to_string(degree) + "_k1";
-        auto ring = planar(test::truth("LR")[name]);
+        auto ring = test::planarPoints(test::truth("LR")[name]);
         ring.pop_back();
         EXPECT_TRUE(sameRing(trace.frames.back().points, ring)) << name;
     }
@@ -280,7 +271,7 @@ TEST(TraceFourPoint, EndsWithTheRingOfTheTruth) {
     const Trace trace = traced(onSquare("four-point"));
     expectReadable(trace);
     ASSERT_EQ(trace.frames.size(), 3u);
-    EXPECT_TRUE(sameRing(trace.frames.back().points, planar(test::truth("fourpoint_sq")["k1"])));
+    EXPECT_TRUE(sameRing(trace.frames.back().points, test::planarPoints(test::truth("fourpoint_sq")["k1"])));
     EXPECT_EQ(trace.frames[1].weights, (std::vector<double>{-0.0625, 0.5625, 0.5625, -0.0625}));
     EXPECT_EQ(trace.frames[1].text,
               "New points at level 1: the two ends of each leg count 0.5625 each and their outer "

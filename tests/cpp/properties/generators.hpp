@@ -74,5 +74,10 @@ rc::Gen<BlendingCase> anyBlending(bool doubleKnots = true);
 /// others.
 rc::Gen<std::vector<double>> parametersOf(const Interval& domain, std::vector<double> knots,
                                           int between = 6);
+/// Those of this very case, for a curve with these knots.
+[[nodiscard]] inline std::vector<double> parametersOf(const KnotVector& knots) {
+    const auto given = knots.knots();
+    return *parametersOf(knots.domain(), {given.begin(), given.end()});
+}
 
 }  // namespace knotwork::test

@@ -25,19 +25,10 @@
 namespace knotwork {
 namespace {
 
+using test::parametersOf;
+using test::pointOf;
 using test::SplineCase;
 namespace gates = test::gates;
-
-std::vector<double> parametersOf(const KnotVector& knots) {
-    const auto given = knots.knots();
-    return *test::parametersOf(knots.domain(), {given.begin(), given.end()});
-}
-
-Vec3 pointOf(const BsplineCurve& curve, double t, Side side) {
-    Vec3 point;
-    curve.derivatives(t, side, {&point, 1});
-    return point;
-}
 
 double apart(const BsplineCurve& a, double s, const BsplineCurve& b, double t, Side side) {
     return glm::length(pointOf(a, s, side) - pointOf(b, t, side));

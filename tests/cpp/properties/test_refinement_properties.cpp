@@ -16,19 +16,10 @@
 namespace knotwork {
 namespace {
 
+using test::parametersOf;
+using test::pointOf;
 using test::SplineCase;
 namespace gates = test::gates;
-
-std::vector<double> parametersOf(const KnotVector& knots) {
-    const auto given = knots.knots();
-    return *test::parametersOf(knots.domain(), {given.begin(), given.end()});
-}
-
-Vec3 pointOf(const BsplineCurve& curve, double t, Side side) {
-    Vec3 point;
-    curve.derivatives(t, side, {&point, 1});
-    return point;
-}
 
 /// Both are the same curve, looked at where either has knots.
 void expectSameCurve(const BsplineCurve& a, const BsplineCurve& b) {

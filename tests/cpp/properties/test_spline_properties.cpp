@@ -20,14 +20,10 @@
 namespace knotwork {
 namespace {
 
+using test::parametersOf;
 using test::SplineCase;
 using Complex = std::complex<double>;
 namespace gates = test::gates;
-
-std::vector<double> parametersOf(const KnotVector& knots) {
-    const auto given = knots.knots();
-    return *test::parametersOf(knots.domain(), {given.begin(), given.end()});
-}
 
 std::vector<Vec3> rowsAt(const BsplineCurve& curve, double t, Side side, std::size_t count) {
     std::vector<Vec3> rows(count);

@@ -44,11 +44,8 @@ inline double farthest(const BsplineCurve& a, const BsplineCurve& b, RandomSplin
     for (const KnotVector* knots : {&a.knotVector(), &b.knotVector()}) {
         for (const double t : telltaleParameters(*knots, random)) {
             for (const Side side : bothSides) {
-                Vec3 p;
-                Vec3 q;
-                a.derivatives(t, side, {&p, 1});
-                b.derivatives(t, side, {&q, 1});
-                largest = std::max(largest, glm::length(p - q));
+                const Vec3 apart = pointOf(a, t, side) - pointOf(b, t, side);
+                largest = std::max(largest, glm::length(apart));
             }
         }
     }

@@ -92,6 +92,13 @@ inline std::vector<double> telltaleParameters(const KnotVector& knots, RandomSpl
     return ts;
 }
 
+/// The point as it is seen from one side of a knot.
+[[nodiscard]] inline Vec3 pointOf(const BsplineCurve& curve, double t, Side side) {
+    Vec3 point;
+    curve.derivatives(t, side, {&point, 1});
+    return point;
+}
+
 inline constexpr Form allForms[] = {Form::clamped, Form::open, Form::closed};
 inline constexpr Side bothSides[] = {Side::left, Side::right};
 

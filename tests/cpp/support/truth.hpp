@@ -1,6 +1,7 @@
 // The published and independently computed values in tests/truth/cases.json.
 #pragma once
 
+#include "geometry/vec.hpp"
 #include "support/rational.hpp"
 
 #include <nlohmann/json.hpp>
@@ -30,6 +31,16 @@ namespace knotwork::test {
     std::vector<double> values;
     for (const Rational& value : exact) values.push_back(value.value());
     return values;
+}
+
+/// A list of points of two fractions each, in the plane z = 0.
+[[nodiscard]] inline std::vector<Vec3> planarPoints(const nlohmann::json& texts) {
+    std::vector<Vec3> points;
+    for (const auto& text : texts) {
+        const auto exact = rationals(text);
+        points.emplace_back(exact[0].value(), exact[1].value(), 0);
+    }
+    return points;
 }
 
 }  // namespace knotwork::test
