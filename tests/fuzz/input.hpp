@@ -7,6 +7,7 @@
 #include "geometry/b_function.hpp"
 #include "geometry/bspline_curve.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -104,8 +105,10 @@ inline std::vector<double> parametersOf(Input& input, const Interval& domain,
             if (domain.contains(t)) ts.push_back(t);
         }
     }
-    for (int i = 0; i < 4; ++i) ts.push_back(domain.start + domain.length() * input.share());
-    if (ts.back() > domain.end) ts.back() = domain.end;
+    for (int i = 0; i < 4; ++i) {
+        // The sum rounds, at times past the end.
+        ts.push_back(std::min(domain.start + domain.length() * input.share(), domain.end));
+    }
     return ts;
 }
 
