@@ -1,0 +1,17 @@
+// How far points and derivatives of surfaces may be from the truth.
+#pragma once
+
+namespace knotwork::test::gates {
+
+// Points of model surfaces of size up to 5, a few ulp.
+inline constexpr double modelPoint = 1e-14;
+// Derivatives up to (4, 3) against Cauchy's integral in both variables, which loses digits with the
+// order and with the radius.
+inline constexpr double cauchyInTwo = 1e-10;
+// B-spline surfaces, points in [-1, 1]³: against two nested curves, and after a refinement.
+inline constexpr double nestedCurves = 2e-14;
+// A weight times a point over the weight.
+inline constexpr double weightedCorner = 3e-16;
+inline constexpr double refinedSurface = 1e-13;
+
+}  // namespace knotwork::test::gates
