@@ -29,7 +29,8 @@ bool Session::curveFrame(int handle, double t, int side) {
     if (!held) return false;
     const auto inside = parameterInDomain(held->curve, t);
     if (!inside) return refuse(inside.error());
-    write(frameAt(held->curve, *inside, side < 0 ? Side::left : Side::right), block_.data());
+    const bool left = side < 0 || (side == 0 && *inside == domain(held->curve).end);
+    write(frameAt(held->curve, *inside, left ? Side::left : Side::right), block_.data());
     return true;
 }
 

@@ -25,6 +25,11 @@ struct Place {
     Side side;
 };
 
+/// Without squares, which are 0 for the derivatives of a very small curve.
+double lengthOf(const Vec3& v) noexcept { return std::hypot(v.x, v.y, v.z); }
+
+Vec3 unit(const Vec3& v) noexcept { return v / lengthOf(v); }
+
 /// The part of the curve around a parameter from which the sizes of derivatives are taken: the span
 /// between two knots, or a small part of the domain.
 Interval windowAround(const Curve& curve, const Place& at) {
@@ -68,14 +73,14 @@ public:
     }
 
     [[nodiscard]] bool vanishes(const Vec3& v, std::size_t order) const noexcept {
-        return !(glm::length(v) > zero_[order]) || !isFinite(v);
+        return !(lengthOf(v) > zero_[order]) || !isFinite(v);
     }
     [[nodiscard]] const Interval& window() const noexcept { return window_; }
 
 private:
     void add(std::span<const Vec3> rows) noexcept {
         for (std::size_t k = 0; k < rows.size(); ++k) {
-            if (isFinite(rows[k])) largest_[k] = std::max(largest_[k], glm::length(rows[k]));
+            if (isFinite(rows[k])) largest_[k] = std::max(largest_[k], lengthOf(rows[k]));
         }
     }
 
@@ -109,7 +114,7 @@ std::size_t findTangent(std::span<const Vec3> rows, const Sizes& sizes, Side sid
     for (std::size_t m = 1; m < rows.size(); ++m) {
         if (!isFinite(rows[m])) return 0;
         if (sizes.vanishes(rows[m], m)) continue;
-        local.tangent = parity(m - 1, side) * glm::normalize(rows[m]);
+        local.tangent = parity(m - 1, side) * unit(rows[m]);
         local.hasTangent = true;
         return m;
     }
@@ -126,10 +131,10 @@ void findNormal(std::span<const Vec3> rows, const Sizes& sizes, Side side, std::
         factor /= static_cast<double>(k);
         const Vec3 sideways = across(rows[k], local.tangent);
         if (sizes.vanishes(sideways, k)) continue;
-        local.normal = parity(k, side) * glm::normalize(sideways);
+        local.normal = parity(k, side) * unit(sideways);
         local.hasNormal = true;
         if (k == 2 * m) {
-            const double speed = glm::length(rows[m]);
+            const double speed = lengthOf(rows[m]);
             local.curvature = 2 * factor * (sideways / speed) / speed;
         }
         return;
@@ -137,7 +142,7 @@ void findNormal(std::span<const Vec3> rows, const Sizes& sizes, Side side, std::
 }
 
 double torsionOf(std::span<const Vec3> rows) noexcept {
-    const double speed = glm::length(rows[1]);
+    const double speed = lengthOf(rows[1]);
     const Vec3 turning = glm::cross(rows[1] / speed, rows[2]);
     const double squared = glm::dot(turning, turning);
     return squared > 0 ? glm::dot(turning, rows[3]) / squared / speed : 0;
@@ -292,10 +297,22 @@ double finite(double value) noexcept {
     return std::isnan(value) ? 0 : std::clamp(value, -largest, largest);
 }
 
+/// On the curve itself: past the seam of a closed one, and inside at the ends of any other.
+Place placeOn(const Curve& curve, double t, Side side) noexcept {
+    const Interval whole = domain(curve);
+    if (isClosed(curve)) {
+        if (t == whole.end && side == Side::right) return {whole.start, side};
+        if (t == whole.start && side == Side::left) return {whole.end, side};
+        return {t, side};
+    }
+    if (t == whole.end) return {t, Side::left};
+    return {t, t == whole.start ? Side::right : side};
+}
+
 }  // namespace
 
 Frame frameAt(const Curve& curve, double t, Side side) {
-    const Place at{t, t == domain(curve).end ? Side::left : side};
+    const Place at = placeOn(curve, t, side);
     const Local local = lookAt(curve, at);
     Frame frame;
     frame.point = local.point;

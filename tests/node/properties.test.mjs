@@ -6,83 +6,14 @@ import { test } from 'node:test';
 
 import fc from 'fast-check';
 
+import { added, blend, distance, holds, number, places, share, spline, withCurve } from './generators.mjs';
 import { bFunctions, curves, methods, placesOf, refusalOf, scenes, withValue } from './hostile.mjs';
 import { load, tolerances } from './support.mjs';
 
 const kw = await load();
-fc.configureGlobal({
-    seed: Number(process.env.KNOTWORK_SEED ?? 20_240_711),
-    numRuns: 300 * Number(process.env.KNOTWORK_CASES ?? 1),
-    endOnFailure: false,
-});
-
-/** @param {import('fast-check').IPropertyWithHooks<any>} property */
-const holds = (property) => fc.assert(property);
-
-const coordinate = fc.double({ min: -1, max: 1, noNaN: true });
-const share = fc.double({ min: 0, max: 1, noNaN: true });
-/** Equal knots, nearly equal ones and others. */
-const gap = fc.oneof(fc.constant(0), fc.integer({ min: -9, max: -5 }).map((k) => 10 ** k), fc.double({ min: 0.1, max: 2, noNaN: true }));
-
-/** Gaps between knots of which no more than `most` are 0 in a row, and the one at `ordinary` is 1. */
-function fromGaps(gaps, most, ordinary) {
-    let zeros = 0;
-    return gaps.map((one, i) => {
-        zeros = one === 0 ? zeros + 1 : 0;
-        if (i !== ordinary && zeros < most) return one;
-        zeros = 0;
-        return 1;
-    });
-}
-
-/** Knots with these gaps. */
-const added = (gaps, start = 0) => gaps.reduce((knots, one) => [...knots, knots.at(-1) + one], [start]);
-
-/** One knot vector of each form for n points. */
-function knotsOf(form, degree, gaps, n) {
-    if (form === 'closed') return added(fromGaps(gaps.slice(0, n), degree, n - 1));
-    if (form === 'open') return added(fromGaps(gaps.slice(0, n + degree), degree, degree));
-    const inner = added(fromGaps(gaps.slice(0, n - degree), degree + 1, 0).map((one, i, all) =>
-        (i === all.length - 1 && one === 0 ? 1 : one)));
-    return [...Array(degree).fill(inner[0]), ...inner, ...Array(degree).fill(inner.at(-1))];
-}
-
-const spline = fc.record({
-    degree: fc.integer({ min: 1, max: 7 }),
-    form: fc.constantFrom('clamped', 'open', 'closed'),
-    more: fc.integer({ min: 1, max: 8 }),
-    gaps: fc.array(gap, { minLength: 24, maxLength: 24 }),
-    points: fc.array(fc.array(coordinate, { minLength: 3, maxLength: 3 }), { minLength: 15, maxLength: 15 }),
-    weights: fc.option(fc.array(fc.double({ min: 0.3, max: 3, noNaN: true }), { minLength: 15, maxLength: 15 })),
-}).map(({ degree, form, more, gaps, points, weights }) => {
-    const n = degree + more;
-    return {
-        type: 'bspline-curve', degree, form, points: points.slice(0, n), knots: knotsOf(form, degree, gaps, n),
-        ...(weights ? { weights: weights.slice(0, n) } : {}),
-    };
-});
-
-/** Both ends, every knot and one parameter between, each from both sides. */
-function places(curve, between) {
-    const [a, b] = curve.domain;
-    const inside = (curve.knots ?? []).filter((t) => a <= t && t <= b);
-    return [a, b, a + between * (b - a), ...new Set(inside)].flatMap((t) => [{ t, side: 'left' }, { t, side: 'right' }]);
-}
-
-const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
-
-/** Makes the curve, runs `act` with it, disposes of it. */
-function withCurve(spec, act) {
-    const curve = kw.curve(spec);
-    try {
-        act(curve);
-    } finally {
-        curve.dispose();
-    }
-}
 
 test('basis functions are a partition of unity, their derivatives sum to nothing, and they make the curve', () => {
-    holds(fc.property(spline, share, (spec, between) => withCurve(spec, (curve) => {
+    holds(fc.property(spline, share, (spec, between) => withCurve(kw, spec, (curve) => {
         for (const { t } of places(curve, between)) {
             const [row, slopes] = curve.basis(t, { derivatives: 1 });
             const sum = row.reduce((a, b) => a + b, 0);
@@ -99,7 +30,7 @@ test('basis functions are a partition of unity, their derivatives sum to nothing
 });
 
 test('points, rows, samples and lists of samples are one curve', () => {
-    holds(fc.property(spline, share, (spec, between) => withCurve(spec, (curve) => {
+    holds(fc.property(spline, share, (spec, between) => withCurve(kw, spec, (curve) => {
         const ts = places(curve, between).map(({ t }) => t);
         const listed = curve.sampleAt(ts, { derivatives: 1 });
         for (const [i, t] of ts.entries()) {
@@ -117,7 +48,7 @@ test('points, rows, samples and lists of samples are one curve', () => {
 });
 
 test('inserting a knot keeps the curve from both sides of every knot and at both ends', () => {
-    holds(fc.property(spline, share, share, fc.integer({ min: 1, max: 3 }), (spec, at, between, times) => withCurve(spec, (curve) => {
+    holds(fc.property(spline, share, share, fc.integer({ min: 1, max: 3 }), (spec, at, between, times) => withCurve(kw, spec, (curve) => {
         const [a, b] = curve.domain;
         let refined;
         const error = refusalOf(() => { refined = curve.insertKnot(a + at * (b - a), times); });
@@ -133,8 +64,8 @@ test('inserting a knot keeps the curve from both sides of every knot and at both
 
 test('a specification read back makes the same curve to the bit', () => {
     const anyCurve = fc.oneof(spline, ...curves.map(fc.constant));
-    holds(fc.property(anyCurve, share, (spec, between) => withCurve(spec, (curve) => {
-        withCurve(curve.spec, (again) => {
+    holds(fc.property(anyCurve, share, (spec, between) => withCurve(kw, spec, (curve) => {
+        withCurve(kw, curve.spec, (again) => {
             assert.deepEqual(again.spec, curve.spec);
             for (const { t, side } of places(curve, between)) {
                 assert.deepEqual(again.derivatives(t, 2, { side }), curve.derivatives(t, 2, { side }));
@@ -145,7 +76,7 @@ test('a specification read back makes the same curve to the bit', () => {
 
 test('a polyline stays within its tolerance and has its vertices on the curve', () => {
     const tolerance = fc.integer({ min: -6, max: 0 }).map((k) => 10 ** k);
-    holds(fc.property(fc.oneof(spline, ...curves.map(fc.constant)), tolerance, (spec, within) => withCurve(spec, (curve) => {
+    holds(fc.property(fc.oneof(spline, ...curves.map(fc.constant)), tolerance, (spec, within) => withCurve(kw, spec, (curve) => {
         const { points, parameters } = curve.polyline({ tolerance: within });
         for (let i = 0; i + 1 < parameters.length; ++i) {
             if (parameters[i] === parameters[i + 1]) continue; // a jump
@@ -163,22 +94,6 @@ function fromChord(p, a, b) {
     const at = Math.min(1, Math.max(0, along));
     return distance(p, [0, 1, 2].map((k) => a[k] + at * chord[k]));
 }
-
-const number = (min, max) => fc.double({ min, max, noNaN: true });
-const family = fc.oneof(
-    fc.constant({ family: 'linear' }),
-    fc.record({ family: fc.constant('trigonometric'), order: fc.integer({ min: 1, max: 20 }) }),
-    fc.record({ family: fc.constant('polynomial'), p: fc.integer({ min: 0, max: 20 }), q: fc.integer({ min: 0, max: 20 }) }),
-    fc.record({ family: fc.constant('rational'), m: number(1, 50), c: number(1e-3, 1000) }),
-    fc.record({ family: fc.constant('expo-rational'), alpha: number(0.01, 4), beta: number(0.01, 100), gamma: number(0.01, 4), lambda: number(0.01, 0.99) }),
-    fc.record({ family: fc.constant('logistic'), c: number(1e-3, 1000) }),
-);
-const { blend } = fc.letrec((tie) => ({
-    blend: fc.oneof({ maxDepth: 3 }, family, family,
-        fc.record({ family: fc.constantFrom('dual', 'symmetrised'), of: tie('blend') }),
-        fc.record({ family: fc.constant('composed'), outer: tie('blend'), inner: tie('blend') }),
-        fc.record({ family: fc.constant('mixed'), of: fc.tuple(tie('blend'), tie('blend')), weight: share })),
-}));
 
 test('every B-function rises from 0 to 1, is symmetric where it says so and flat where its orders say so', () => {
     holds(fc.property(blend, share, (spec, between) => {
@@ -206,7 +121,7 @@ test('a blend of one model is the model, whatever the B-function and the knots',
         const knots = added(given);
         const scale = 2 * Math.PI / knots.at(-1);
         const spec = { type: 'blending-curve', bFunction, model, form: 'closed', locals: { count: given.length }, knots: knots.map((t) => t * scale) };
-        withCurve(spec, (curve) => withCurve(model, (circle) => {
+        withCurve(kw, spec, (curve) => withCurve(kw, model, (circle) => {
             for (const { t } of places(curve, between)) assert.ok(distance(curve.point(t), circle.point(t)) <= tolerances.rounding);
             const weights = curve.blendBasis(between * 6);
             assert.ok(Math.abs(weights.reduce((a, b) => a + b, 0) - 1) <= tolerances.exact);
