@@ -94,8 +94,8 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> faceStarts() const noexcept;
     [[nodiscard]] std::uint32_t uniformSize() const noexcept;
 
-    /// In the order in which one meets them walking along the faces. Made once, in O(n) whatever the
-    /// valences: 16 bytes an edge and 4 a corner stay, twice as much more is needed for a moment.
+    /// In the order in which one meets them walking along the faces. Made once, in O(n) whatever
+    /// the valences: 16 bytes an edge and 4 a corner stay, twice as much more is needed for a moment.
     [[nodiscard]] std::span<const MeshEdge> edges() const;
     /// For every corner the edge from it to the next corner of its face. Made with the edges.
     [[nodiscard]] std::span<const std::uint32_t> cornerEdges() const;

@@ -2,8 +2,8 @@
 //
 // A corner h of a face stands for the half-edge from it to the next corner. Half-edges are put in
 // the bucket of their smaller vertex (a counting sort). While a bucket is emptied, a slot for each
-// larger vertex remembers the half-edge that came first, so that each half-edge is looked at a fixed
-// number of times, whatever the valence of its vertices.
+// larger vertex remembers the half-edges that came first, so that each is looked at a fixed number
+// of times, whatever the valence of its vertices.
 #pragma once
 
 #include "geometry/mesh.hpp"
