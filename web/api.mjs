@@ -7,6 +7,7 @@ import { enclosingSphere, fit, interpolate } from './fit.mjs';
 import { decodeLink, encodeLink } from './links.mjs';
 import { openScene } from './scene.mjs';
 import { subdivide } from './subdivide.mjs';
+import { makeSurface } from './surface.mjs';
 
 /**
  * @param {import('./core.mjs').Module} module
@@ -23,6 +24,11 @@ export function makeApi(module) {
         curve: (spec) => makeCurve(core, spec),
         get parametricCurves() {
             return core.json('parametricCurves');
+        },
+        /** @param {unknown} spec */
+        surface: (spec) => makeSurface(core, spec),
+        get parametricSurfaces() {
+            return core.json('parametricSurfaces');
         },
         /** @param {unknown} spec @param {unknown} [given] */
         subdivide: (spec, given) => subdivide(core, spec, given),

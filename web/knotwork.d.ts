@@ -47,6 +47,12 @@ export interface Knotwork {
     /** The named curves and their parameters. */
     readonly parametricCurves: ParametricCurveModel[];
 
+    surface(spec: BsplineSurfaceSpec): BsplineSurface;
+    surface(spec: ParametricSurfaceSpec): ParametricSurface;
+    surface(spec: SurfaceSpec): Surface;
+    /** The named surfaces, their formulas and their parameters. */
+    readonly parametricSurfaces: ParametricSurfaceModel[];
+
     /**
      * The final polygon: closed 2^levels · n points, the first not repeated; open, a level turns N
      * points into 2N − degree, or 2N − 1 of the four-point scheme. At most 2^22 points.
@@ -470,6 +476,82 @@ export interface Fit {
 export interface Sphere {
     center: Point3;
     radius: number;
+}
+
+// Surfaces
+
+export type Form = 'clamped' | 'open' | 'closed';
+
+export interface BsplineSurfaceSpec {
+    type: 'bspline-surface';
+    /** Along u and along v, up to 25. */
+    degree: readonly [number, number];
+    /** Default clamped in both directions. */
+    form?: readonly [Form, Form];
+    /** Rows of points: points[i][j], i along u. */
+    points: readonly Points[];
+    /** Along u and along v, each as of a curve. */
+    knots?: readonly [Numbers, Numbers];
+    /** Rows of positive numbers make it rational. */
+    weights?: readonly Numbers[];
+}
+
+export type ParametricSurfaceSpec = { type: 'parametric-surface' } & (
+    | { name: 'plane'; parameters?: { width?: number; height?: number } }
+    | { name: 'cylinder' | 'cone'; parameters?: { radius?: number; height?: number } }
+    | { name: 'torus' | 'klein'; parameters?: { R?: number; r?: number } }
+    | { name: 'sphere'; parameters?: { radius?: number } }
+    | { name: 'moebius'; parameters?: { radius?: number; width?: number } }
+    | { name: 'helicoid'; parameters?: { radius?: number; pitch?: number; turns?: number } }
+    | {
+        name: 'seashell';
+        parameters?: { R?: number; r?: number; height?: number; growth?: number; turns?: number };
+    }
+);
+
+export type SurfaceSpec = BsplineSurfaceSpec | ParametricSurfaceSpec;
+
+/** Outside its domain a closed direction wraps; in any other, `u` or `v` is OUT_OF_RANGE. */
+export interface Surface extends Disposable {
+    /** [[u0, u1], [v0, v1]] */
+    readonly domain: [[number, number], [number, number]];
+    /**
+     * Whether it is periodic along u and along v: not at a pole, and not where it closes turned over,
+     * as a Möbius strip does.
+     */
+    readonly closed: [boolean, boolean];
+    point(u: number, v: number): Point3;
+    /**
+     * The point, its first and its second derivatives; at a knot those from the right, at the end of
+     * a direction that is not closed those from the left.
+     */
+    derivatives(u: number, v: number): {
+        S: Point3; Su: Point3; Sv: Point3; Suu: Point3; Suv: Point3; Svv: Point3;
+    };
+    /** What it was made from, defaults filled in. */
+    readonly spec: SurfaceSpec;
+}
+
+export interface BsplineSurface extends Surface {
+    /**
+     * The same surface over the full refined vectors along u and along v (one period where closed),
+     * each as in refine() of a curve. At most 100 000 points in all.
+     */
+    refine(knots: readonly [Numbers, Numbers]): BsplineSurface;
+    readonly spec: BsplineSurfaceSpec;
+}
+
+export interface ParametricSurface extends Surface {
+    readonly spec: ParametricSurfaceSpec;
+}
+
+export interface ParametricSurfaceModel {
+    name: string;
+    label: string;
+    /** x, y, z; the domain; where it is closed. */
+    formula: string;
+    closed: [boolean, boolean];
+    parameters: ParameterDescription[];
 }
 
 // Traces

@@ -10,6 +10,9 @@ namespace {
 std::array<std::span<const CurveQuery>, 2> curveTopics() noexcept {
     return {bsplineQueries(), subdivisionQueries()};
 }
+std::array<std::span<const SurfaceQuery>, 1> surfaceTopics() noexcept {
+    return {bsplineSurfaceQueries()};
+}
 std::array<std::span<const FreeQuery>, 1> freeTopics() noexcept { return {traceQueries()}; }
 
 template <class Query, std::size_t N>
@@ -27,6 +30,10 @@ const Query* findIn(const std::array<std::span<const Query>, N>& topics,
 
 const CurveQuery* findCurveQuery(std::string_view name) noexcept {
     return findIn(curveTopics(), name);
+}
+
+const SurfaceQuery* findSurfaceQuery(std::string_view name) noexcept {
+    return findIn(surfaceTopics(), name);
 }
 
 const FreeQuery* findFreeQuery(std::string_view name) noexcept {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "geometry/curve.hpp"
+#include "geometry/surface.hpp"
 #include "scene/fields.hpp"
 #include "scene/json.hpp"
 
@@ -13,12 +14,13 @@
 
 namespace knotwork::bindings {
 
-/// What goes back over the border. The session holds the curves, and adds `curves` to the JSON: the
-/// handle and the traits of each. It leaves the numbers in its list, and adds their number as
-/// `count`.
+/// What goes back over the border. The session holds the curves and surfaces, and adds `curves` and
+/// `surfaces` to the JSON: the handle and the traits of each. It leaves the numbers in its list, and
+/// adds their number as `count`.
 struct Answer {
     scene::Json json = scene::Json::object();
     std::vector<Curve> curves{};
+    std::vector<Surface> surfaces{};
     std::vector<double> numbers{};
 };
 
@@ -27,6 +29,13 @@ struct CurveQuery {
     std::string_view name;
     std::span<const scene::Field> fields;
     Result<Answer> (*answer)(const Curve& curve, const scene::Json& arguments);
+};
+
+/// A question about a surface.
+struct SurfaceQuery {
+    std::string_view name;
+    std::span<const scene::Field> fields;
+    Result<Answer> (*answer)(const Surface& surface, const scene::Json& arguments);
 };
 
 /// A question about its arguments alone. What `fields` cannot describe has none of them and is
@@ -41,10 +50,12 @@ struct FreeQuery {
 // Each of these stands in a file of its own: queries_<topic>.cpp.
 [[nodiscard]] std::span<const CurveQuery> bsplineQueries() noexcept;
 [[nodiscard]] std::span<const CurveQuery> subdivisionQueries() noexcept;
+[[nodiscard]] std::span<const SurfaceQuery> bsplineSurfaceQueries() noexcept;
 [[nodiscard]] std::span<const FreeQuery> traceQueries() noexcept;
 
 /// All of them, for the session.
 [[nodiscard]] const CurveQuery* findCurveQuery(std::string_view name) noexcept;
+[[nodiscard]] const SurfaceQuery* findSurfaceQuery(std::string_view name) noexcept;
 [[nodiscard]] const FreeQuery* findFreeQuery(std::string_view name) noexcept;
 
 }  // namespace knotwork::bindings

@@ -112,6 +112,7 @@ T* Session::find(int handle) {
 
 template Made<BFunction>* Session::find<Made<BFunction>>(int);
 template Session::CurveValue* Session::find<Session::CurveValue>(int);
+template Session::SurfaceValue* Session::find<Session::SurfaceValue>(int);
 template scene::Scene* Session::find<scene::Scene>(int);
 
 // B-functions.

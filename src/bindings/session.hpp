@@ -1,4 +1,4 @@
-// What one load() holds: B-functions, curves and scenes behind integer handles, and the border's
+// What one load() holds: B-functions, curves, surfaces and scenes behind integer handles, and the border's
 // two buffers. Only numbers, strings and addresses cross, so nothing here can throw or be coerced.
 //
 // Conventions. Input crosses as CBOR: the facade asks for room(bytes), writes there and passes the
@@ -15,6 +15,7 @@
 #include "geometry/curve.hpp"
 #include "geometry/curve_subdivision.hpp"
 #include "geometry/fitting.hpp"
+#include "geometry/surface.hpp"
 #include "scene/scene.hpp"
 #include "scene/specs.hpp"
 
@@ -36,6 +37,8 @@ inline constexpr std::size_t blockPoints = 1024;
 
 /// How many numbers of the block tell what kind of curve was made.
 inline constexpr std::size_t curveTraits = 5;
+/// The same of a surface.
+inline constexpr std::size_t surfaceTraits = 7;
 
 class Session {
 public:
@@ -78,6 +81,7 @@ public:
     // Questions by name, as the tables of queries.hpp have them; the name is never the user's. The
     // input is the object of the arguments; the answer is JSON, "" for a refusal.
     [[nodiscard]] std::string askCurve(const std::string& name, int handle, unsigned bytes);
+    [[nodiscard]] std::string askSurface(const std::string& name, int handle, unsigned bytes);
     [[nodiscard]] std::string ask(const std::string& name, unsigned bytes);
 
     // Curves of every kind. What makes one also leaves in block: start and end of its domain, 1
@@ -132,6 +136,16 @@ public:
     /// The input is { knots, recut }.
     [[nodiscard]] int curveWithKnots(int handle, unsigned bytes);
 
+    // Surfaces of every kind. What makes one also leaves in block: start and end of its domain along
+    // u and along v, 1 in each direction where it is closed, and its kind's place in Surface::Kind.
+    [[nodiscard]] int surface(unsigned bytes);
+    [[nodiscard]] std::string surfaceSpec(int handle);
+    /// block: x, y, z.
+    [[nodiscard]] bool surfacePoint(int handle, double u, double v);
+    /// block: S, Su, Sv, Suu, Suv, Svv.
+    [[nodiscard]] bool surfaceDerivatives(int handle, double u, double v);
+    [[nodiscard]] std::string parametricSurfaces() const;
+
     // Subdivision of polygons. It begins with all but the last levels, which are made block by block.
     /// Answers how many points the final polygon has, or -1.
     [[nodiscard]] int subdivision(unsigned bytes);
@@ -176,8 +190,13 @@ private:
         std::vector<std::uint8_t> source;  ///< what the specification is to be read from
         std::optional<ArcLength> lengths{};
     };
+    struct SurfaceValue {
+        Surface surface;
+        std::optional<scene::Json> spec;  ///< made when it is first asked for
+    };
     using Value = std::variant<std::monostate, std::unique_ptr<scene::Made<BFunction>>,
-                               std::unique_ptr<CurveValue>, std::shared_ptr<scene::Scene>>;
+                               std::unique_ptr<CurveValue>, std::shared_ptr<scene::Scene>,
+                               std::unique_ptr<SurfaceValue>>;
     struct Slot {
         Value value;
         unsigned generation = 1;
@@ -189,6 +208,7 @@ private:
     [[nodiscard]] int hold(Value value);
     [[nodiscard]] int holdCurve(CurveValue value);
     [[nodiscard]] int holdCurve(Result<scene::Made<Curve>> made);
+    [[nodiscard]] int holdSurface(SurfaceValue value);
     [[nodiscard]] static const scene::Json& specOf(CurveValue& held);
     [[nodiscard]] const Slot* slot(int handle) const;
     /// The value of this type behind the handle; null (and DISPOSED in error()) if there is none.

@@ -157,6 +157,7 @@ Error ofDirection(Error error, std::size_t direction) {
         error.path.insert(list.size(), "[" + std::to_string(direction) + "]");
         return error;
     }
+    if (direction == 1 && error.path == "points") error.path = "points[0]";
     return error;
 }
 

@@ -69,7 +69,8 @@ private:
                                             std::vector<double> refinedV);
 
 /// An error of KnotVector about direction 0 (u) or 1 (v) as seen from a surface: `knots[3]` is
-/// `knots[1][3]`, `degree` is `degree[1]`; `points`, a number of points that does not do, stays.
+/// `knots[1][3]`, `degree` is `degree[1]`; a number of `points` that does not do is one of rows, or
+/// one of columns at `points[0]`.
 [[nodiscard]] Error ofDirection(Error error, std::size_t direction);
 
 }  // namespace knotwork

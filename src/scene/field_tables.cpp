@@ -3,6 +3,7 @@
 #include "geometry/b_function.hpp"
 #include "geometry/parametric_curve.hpp"
 #include "scene/fields.hpp"
+#include "scene/parameter_fields.hpp"
 #include "scene/rotation_fields.hpp"
 
 #include <algorithm>
@@ -123,15 +124,6 @@ constexpr std::array effects{
     EffectType{"simulate", "Simulate", simulateFields},
     EffectType{"colour", "Colour", colourFields},
 };
-
-Field fieldOf(const ParameterDescription& parameter) {
-    return {.name = parameter.name, .label = parameter.label,
-            .kind = parameter.integer ? FieldKind::integer : FieldKind::number,
-            .help = parameter.help, .min = parameter.min, .max = parameter.max,
-            .minOpen = parameter.minOpen, .maxOpen = parameter.maxOpen,
-            .defaultNumber = parameter.defaultValue,
-            .slider = std::pair{parameter.low, parameter.high}};
-}
 
 Field fieldOf(const OperandDescription& operand) {
     return {.name = operand.name, .label = operand.label,

@@ -41,6 +41,11 @@ enum class FieldKind {
     interval,    ///< [start, end]
     panes,       ///< list of names of panes
     group,       ///< nested fields of a fixed table
+    pair,        ///< two values, each as the only one of `fields` (a direction each)
+    list,        ///< any number of values, each as the only one of `fields`
+    surface,     ///< nested surface specification
+    surfaceName,        ///< name of a parametric surface
+    surfaceParameters,  ///< named parameters of a parametric surface
 };
 
 [[nodiscard]] std::string_view fieldKindName(FieldKind kind) noexcept;
@@ -83,7 +88,7 @@ struct Field {
     std::optional<double> defaultNumber{};  ///< in place of defaultJson, from the geometry's tables
     std::optional<std::pair<double, double>> slider{};  ///< the part of the range that a slider offers
     std::span<const Choice> choices{};
-    FieldTable fields{};  ///< of a group
+    FieldTable fields{};  ///< of a group, a pair or a list
 };
 
 constexpr std::span<const Field> FieldTable::all() const noexcept { return {first_, count_}; }
@@ -97,6 +102,12 @@ struct CurveType {
 /// Every type that a `curve` field, kw.curve() and a scene's objects accept.
 [[nodiscard]] std::span<const CurveType> curveTypes() noexcept;
 [[nodiscard]] const CurveType* findCurveType(std::string_view type) noexcept;
+
+using SurfaceType = CurveType;
+
+/// Every type that a `surface` field and kw.surface() accept.
+[[nodiscard]] std::span<const SurfaceType> surfaceTypes() noexcept;
+[[nodiscard]] const SurfaceType* findSurfaceType(std::string_view type) noexcept;
 
 /// `id`, `style` and `show`: what an object of a scene has besides its curve.
 [[nodiscard]] std::span<const Field> objectFields() noexcept;
@@ -119,8 +130,11 @@ struct EffectType {
 [[nodiscard]] std::optional<std::vector<Field>> bFunctionFields(std::string_view family);
 /// The parameters of a parametric curve, or nothing for an unknown name.
 [[nodiscard]] std::optional<std::vector<Field>> curveParameterFields(std::string_view name);
+/// The parameters of a parametric surface, or nothing for an unknown name.
+[[nodiscard]] std::optional<std::vector<Field>> surfaceParameterFields(std::string_view name);
 [[nodiscard]] std::vector<Choice> bFunctionChoices();
 [[nodiscard]] std::vector<Choice> parametricCurveChoices();
+[[nodiscard]] std::vector<Choice> parametricSurfaceChoices();
 
 // --- panels ---------------------------------------------------------------------------------
 

@@ -10,7 +10,7 @@ namespace knotwork::scene {
 
 namespace {
 
-constexpr std::array<std::pair<FieldKind, std::string_view>, 21> kindNames{{
+constexpr std::array<std::pair<FieldKind, std::string_view>, 26> kindNames{{
     {FieldKind::number, "number"},
     {FieldKind::integer, "integer"},
     {FieldKind::flag, "flag"},
@@ -32,6 +32,11 @@ constexpr std::array<std::pair<FieldKind, std::string_view>, 21> kindNames{{
     {FieldKind::interval, "interval"},
     {FieldKind::panes, "panes"},
     {FieldKind::group, "group"},
+    {FieldKind::pair, "pair"},
+    {FieldKind::list, "list"},
+    {FieldKind::surface, "surface"},
+    {FieldKind::surfaceName, "choice"},
+    {FieldKind::surfaceParameters, "parameters"},
 }};
 
 /// Walks an object along its tables and collects the fields that can be edited as one value.

@@ -15,6 +15,13 @@ Json reference(std::string_view name) { return {{"$ref", "#/$defs/" + std::strin
 
 Json listOf(Json items) { return {{"type", "array"}, {"items", std::move(items)}}; }
 
+Json pairOf(Json item) {
+    Json pair = listOf(std::move(item));
+    pair["minItems"] = 2;
+    pair["maxItems"] = 2;
+    return pair;
+}
+
 Json tuple(std::size_t least, std::size_t most) {
     return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", least},
             {"maxItems", most}};
@@ -46,12 +53,7 @@ Json kindSchema(const Field& field) {
         case FieldKind::numbers: return listOf({{"type", "number"}});
         case FieldKind::poses: return listOf(reference("pose"));
         case FieldKind::bFunction: return reference("bFunction");
-        case FieldKind::bFunctions: {
-            Json pair = listOf(reference("bFunction"));
-            pair["minItems"] = 2;
-            pair["maxItems"] = 2;
-            return pair;
-        }
+        case FieldKind::bFunctions: return pairOf(reference("bFunction"));
         case FieldKind::curve: return reference("curve");
         case FieldKind::locals:
             return {{"anyOf", {objectSchema(localsFields()), listOf(reference("curve"))}}};
@@ -64,6 +66,11 @@ Json kindSchema(const Field& field) {
         case FieldKind::panes:
             return listOf({{"enum", Json::array({"curve", "basis", "knots", "bFunction"})}});
         case FieldKind::group: return objectSchema(field.fields.all());
+        case FieldKind::pair: return pairOf(kindSchema(field.fields.all().front()));
+        case FieldKind::list: return listOf(kindSchema(field.fields.all().front()));
+        case FieldKind::surface: return reference("surface");
+        case FieldKind::surfaceName: return names(parametricSurfaceChoices());
+        case FieldKind::surfaceParameters: return {{"type", "object"}};
     }
     return Json::object();
 }

@@ -1,5 +1,6 @@
 #include "scene/specs.hpp"
 
+#include "scene/parameter_fields.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/validation.hpp"
 
@@ -39,22 +40,6 @@ Json inOrder(const Json& spec) {
     take("style");
     take("show");
     return ordered;
-}
-
-Json describeParameters(std::span<const ParameterDescription> parameters) {
-    Json list = Json::array();
-    for (const ParameterDescription& parameter : parameters) {
-        list.push_back({{"name", parameter.name},
-                        {"label", parameter.label},
-                        {"min", parameter.min},
-                        {"max", parameter.max},
-                        {"default", parameter.defaultValue},
-                        {"minOpen", parameter.minOpen},
-                        {"maxOpen", parameter.maxOpen},
-                        {"integer", parameter.integer},
-                        {"help", parameter.help}});
-    }
-    return list;
 }
 
 }  // namespace

@@ -173,6 +173,32 @@ Result<Json> readParameters(const Json& given, const Json& parent) {
     return readGroup(given, fields ? std::span<const Field>(*fields) : std::span<const Field>());
 }
 
+/// The parameters of the parametric surface that `parent` names.
+Result<Json> readSurfaceParameters(const Json& given, const Json& parent) {
+    const auto fields = surfaceParameterFields(stringOr(parent, "name", ""));
+    return readGroup(given, fields ? std::span<const Field>(*fields) : std::span<const Field>());
+}
+
+Result<Json> readField(const Json& given, const Field& field, const Json& parent);
+
+/// A list of what the field's only element describes.
+Result<Json> readElements(const Json& given, const Field& field, const Json& parent) {
+    const Field& element = field.fields.all().front();
+    return readList(given, "a list", [&](const Json& item) {
+        return readField(item, element, parent);
+    });
+}
+
+Result<Json> readDirections(const Json& given, const Field& field, const Json& parent) {
+    if (!given.is_array()) return wrongType("a list of two, one for each direction", given);
+    if (given.size() != 2) {
+        return refuse(Code::wrongLength, "",
+                      "Expected two values, one for each direction, got " +
+                          std::to_string(given.size()) + ".");
+    }
+    return readElements(given, field, parent);
+}
+
 /// `parent` is the group that the field stands in, for the one kind that depends on its sibling.
 Result<Json> readField(const Json& given, const Field& field, const Json& parent) {
     switch (field.kind) {
@@ -203,6 +229,11 @@ Result<Json> readField(const Json& given, const Field& field, const Json& parent
             return readList(given, "a list of names of panes",
                             [](const Json& item) { return readName(item, paneChoices); });
         case FieldKind::group: return readGroup(given, field.fields.all());
+        case FieldKind::pair: return readDirections(given, field, parent);
+        case FieldKind::list: return readElements(given, field, parent);
+        case FieldKind::surface: return readSurface(given);
+        case FieldKind::surfaceName: return readName(given, parametricSurfaceChoices());
+        case FieldKind::surfaceParameters: return readSurfaceParameters(given, parent);
     }
     return wrongType("something else", given);
 }
@@ -301,28 +332,47 @@ Result<Json> readBFunction(const Json& given) {
     return canonical;
 }
 
-Result<Json> readCurve(const Json& given, std::span<const Field> extra) {
+namespace {
+
+/// An object that says by `type` which of `types` it is; `noun` is for messages.
+Result<Json> readTyped(const Json& given, std::span<const CurveType> types,
+                       std::span<const Field> extra, std::string_view noun) {
     if (!given.is_object()) {
-        return wrongType("a curve such as { \"type\": \"bspline-curve\", … }", given);
+        return wrongType("a " + std::string(noun) + " such as { \"type\": \"bspline-" +
+                             std::string(noun) + "\", … }",
+                         given);
     }
     std::vector<Choice> choices;
-    for (const CurveType& type : curveTypes()) choices.push_back({type.type, type.label});
-    const Json* type = member(given, "type");
-    if (type == nullptr) {
+    for (const CurveType& type : types) choices.push_back({type.type, type.label});
+    const Json* name = member(given, "type");
+    if (name == nullptr) {
         return refuse(Code::wrongType, "type",
-                      "A curve needs its type, one of " + listNames(choices) + ".");
+                      "A " + std::string(noun) + " needs its type, one of " + listNames(choices) +
+                          ".");
     }
-    if (const auto name = readName(*type, choices); !name) return name.error().under("type");
-    const CurveType& curve = *findCurveType(type->get_ref<const std::string&>());
-    std::vector<Field> fields(curve.fields.begin(), curve.fields.end());
+    if (const auto known = readName(*name, choices); !known) return known.error().under("type");
+    const CurveType& type =
+        *std::find_if(types.begin(), types.end(),
+                      [&](const CurveType& t) { return t.type == name->get_ref<const std::string&>(); });
+    std::vector<Field> fields(type.fields.begin(), type.fields.end());
     fields.insert(fields.end(), extra.begin(), extra.end());
     if (const auto known = refuseUnknown(given, fields, "type"); !known) return known.error();
-    Json canonical{{"type", *type}};
-    if (const auto read = readMembers(given, curve.fields, true, canonical); !read) {
+    Json canonical{{"type", *name}};
+    if (const auto read = readMembers(given, type.fields, true, canonical); !read) {
         return read.error();
     }
     if (const auto read = readMembers(given, extra, false, canonical); !read) return read.error();
     return canonical;
+}
+
+}  // namespace
+
+Result<Json> readCurve(const Json& given, std::span<const Field> extra) {
+    return readTyped(given, curveTypes(), extra, "curve");
+}
+
+Result<Json> readSurface(const Json& given) {
+    return readTyped(given, surfaceTypes(), {}, "surface");
 }
 
 }  // namespace knotwork::scene

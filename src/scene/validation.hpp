@@ -20,6 +20,9 @@ namespace knotwork::scene {
 /// that were given (an object of a scene has `id`, `style` and `show` besides).
 [[nodiscard]] Result<Json> readCurve(const Json& given, std::span<const Field> extra = {});
 
+/// A surface specification of any type: `type` first, then its fields.
+[[nodiscard]] Result<Json> readSurface(const Json& given);
+
 /// What a person would call this value in a message: `the string "0.5"`, `null`, `a list`.
 [[nodiscard]] std::string describeValue(const Json& value);
 

@@ -67,6 +67,11 @@ try { kw.curve(kw.scenes[0].document.objects![0]); } catch (error) {
 const corners = kw.curve({ type: 'subdivision-curve', scheme: 'four-point', points: [[0, 0], [1, 0], [1, 1]], tension: 0.1 });
 const limits: Float64Array[] = [corners.limitPoints(), corners.limitTangents(), kw.subdivide(corners.spec)];
 const smooth = kw.subdivide({ scheme: 'lane-riesenfeld', degree: 3, points: new Float64Array(9), closed: true, levels: 2 }, { into: new Float64Array(36) });
+const patch = kw.surface({ type: 'bspline-surface', degree: [1, 2], form: ['clamped', 'open'], points: [new Float64Array(9), new Float64Array(9)] });
+const finer = patch.refine([patch.spec.knots![0], new Float64Array(6)]);
+const torus = kw.surface({ type: 'parametric-surface', name: 'torus', parameters: { R: 3 } });
+const bent: [number, number, number] = torus.derivatives(0, 1).Suv;
+void [finer.closed[0], bent, kw.parametricSurfaces[0].formula];
 void [limits, smooth, orders, values, rows, flat, weights, points, parameters, derivatives, shapes, said];
 `;
 
@@ -81,6 +86,7 @@ for (const [name, text] of [
     ['a curve without points', "(await load()).curve({ type: 'bspline-curve', degree: 3 });"],
     ['a method of another kind of curve', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).knots;"],
     ['single precision', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).sample(3, { into: new Float32Array(9) });"],
+    ['a parameter of another surface', "(await load()).surface({ type: 'parametric-surface', name: 'sphere', parameters: { R: 1 } });"],
     ['a code that does not exist', "new KnotworkError('OOPS', '', '');"],
     ['a tension of another scheme', "(await load()).subdivide({ scheme: 'chaikin', points: [], tension: 0 });"],
     ['changing what is read only', "(await load()).bFunction({ family: 'linear' }).order = [0, 0];"],
@@ -127,6 +133,9 @@ const values = {
     Fit: kw.interpolate({ points: [[0, 0], [1, 1]], degree: 1 }),
     Sphere: kw.enclosingSphere([[0, 0], [1, 1]]),
     FormulaCurve: kw.curve({ type: 'formula-curve', x: 't', y: 't^2', domain: [0, 1] }),
+    BsplineSurface: kw.surface({ type: 'bspline-surface', degree: [1, 1], points: [[[0, 0], [1, 0]], [[0, 1], [1, 1]]] }),
+    ParametricSurface: kw.surface({ type: 'parametric-surface', name: 'torus' }),
+    ParametricSurfaceModel: kw.parametricSurfaces[0],
     Scene: kw.scene(kw.scenes[0].document),
     BFunctionFamily: kw.bFunctions[0],
     ParametricCurveModel: kw.parametricCurves[0],

@@ -1,0 +1,75 @@
+// The part of the session that holds and evaluates surfaces.
+#include "bindings/session.hpp"
+#include "scene/surface_specs.hpp"
+
+namespace knotwork::bindings {
+
+namespace {
+
+void write(const Vec3& v, double* at) noexcept {
+    at[0] = v.x;
+    at[1] = v.y;
+    at[2] = v.z;
+}
+
+}  // namespace
+
+int Session::holdSurface(SurfaceValue value) {
+    const Surface& surface = value.surface;
+    const Rectangle whole = domain(surface);
+    const ClosedDirections closed = closedDirections(surface);
+    block_[0] = whole.u.start;
+    block_[1] = whole.u.end;
+    block_[2] = whole.v.start;
+    block_[3] = whole.v.end;
+    block_[4] = closed.u ? 1 : 0;
+    block_[5] = closed.v ? 1 : 0;
+    block_[6] = static_cast<double>(surface.kind().index());
+    return hold(std::make_unique<SurfaceValue>(std::move(value)));
+}
+
+int Session::surface(unsigned bytes) {
+    const auto given = input(bytes);
+    if (!given) return refuse(given.error());
+    auto made = scene::makeSurface(*given);
+    if (!made) return refuse(made.error());
+    return holdSurface({std::move(made->value), std::move(made->spec)});
+}
+
+std::string Session::surfaceSpec(int handle) {
+    auto* held = find<SurfaceValue>(handle);
+    if (!held) return {};
+    if (!held->spec) held->spec = scene::specOf(held->surface);
+    return scene::dumpJson(*held->spec);
+}
+
+bool Session::surfacePoint(int handle, double u, double v) {
+    const auto* held = find<SurfaceValue>(handle);
+    if (!held) return false;
+    const auto place = placeInDomain(held->surface, u, v);
+    if (!place) return refuse(place.error());
+    write(pointAt(held->surface, *place), block_.data());
+    return true;
+}
+
+bool Session::surfaceDerivatives(int handle, double u, double v) {
+    const auto* held = find<SurfaceValue>(handle);
+    if (!held) return false;
+    const auto place = placeInDomain(held->surface, u, v);
+    if (!place) return refuse(place.error());
+    constexpr SurfaceOrders orders{2, 2};
+    std::array<Vec3, orders.size()> rows{};
+    derivatives(held->surface, *place, orders, rows);
+    constexpr std::array<std::array<std::size_t, 2>, 6> answered{
+        {{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}}};
+    for (std::size_t k = 0; k < answered.size(); ++k) {
+        write(rows[orders.at(answered[k][0], answered[k][1])], block_.data() + 3 * k);
+    }
+    return true;
+}
+
+std::string Session::parametricSurfaces() const {
+    return scene::dumpJson(scene::describeParametricSurfaces());
+}
+
+}  // namespace knotwork::bindings

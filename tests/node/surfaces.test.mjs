@@ -1,0 +1,127 @@
+// Surfaces through the public interface.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+import { load, near, refuses, tolerances } from './support.mjs';
+
+const kw = await load();
+
+const net = Array.from({ length: 5 }, (_, i) => Array.from({ length: 4 }, (_, j) => [i, j, Math.sin(i * j)]));
+const bicubic = { type: 'bspline-surface', degree: [3, 2], points: net };
+const weights = net.map((row) => row.map((_, j) => 1 + j / 4));
+const model = (name, parameters) => kw.surface({ type: 'parametric-surface', name, ...parameters && { parameters } });
+
+test('a B-spline surface has the domain, the ends and the corners of its forms', () => {
+    const surface = kw.surface(bicubic);
+    assert.deepEqual(surface.domain, [[0, 2], [0, 2]]);
+    assert.deepEqual(surface.closed, [false, false]);
+    assert.deepEqual(surface.point(0, 0), net[0][0]);
+    assert.deepEqual(surface.point(2, 2), net[4][3]);
+    assert.deepEqual(surface.point(2, 0), net[4][0]);
+    const closed = kw.surface({ ...bicubic, form: ['closed', 'open'] });
+    assert.deepEqual(closed.domain, [[0, 5], [2, 4]]);
+    assert.deepEqual(closed.closed, [true, false]);
+    assert.deepEqual(closed.point(5, 3), closed.point(0, 3));
+});
+
+test('a specification comes back complete and makes the same surface', () => {
+    const surface = kw.surface({ ...bicubic, weights });
+    const { spec } = surface;
+    assert.deepEqual(Object.keys(spec), ['type', 'degree', 'form', 'points', 'knots', 'weights']);
+    assert.deepEqual(spec.form, ['clamped', 'clamped']);
+    assert.deepEqual(spec.knots, [[0, 0, 0, 0, 1, 2, 2, 2, 2], [0, 0, 0, 1, 2, 2, 2]]);
+    assert.deepEqual(kw.surface(spec).derivatives(0.3, 1.2), surface.derivatives(0.3, 1.2));
+    assert.deepEqual(model('torus').spec, { type: 'parametric-surface', name: 'torus', parameters: { R: 2, r: 1 } });
+});
+
+test('rows are lists of points or flat lists of triples', () => {
+    const flat = net.map((row) => new Float64Array(row.flat()));
+    assert.deepEqual(kw.surface({ ...bicubic, points: flat }).point(0.7, 0.9), kw.surface(bicubic).point(0.7, 0.9));
+});
+
+test('derivatives of the models are those of their formulas', () => {
+    const [u, v] = [0.7, 0.4];
+    const { S, Su, Sv, Suu, Suv, Svv } = model('torus').derivatives(u, v);
+    const [cu, su, cv, sv] = [Math.cos(u), Math.sin(u), Math.cos(v), Math.sin(v)];
+    near(S, [(2 + cv) * cu, (2 + cv) * su, sv], tolerances.exact);
+    near(Su, [-(2 + cv) * su, (2 + cv) * cu, 0], tolerances.exact);
+    near(Sv, [-sv * cu, -sv * su, cv], tolerances.exact);
+    near(Suu, [-(2 + cv) * cu, -(2 + cv) * su, 0], tolerances.exact);
+    near(Suv, [sv * su, -sv * cu, 0], tolerances.exact);
+    near(Svv, [-cv * cu, -cv * su, -sv], tolerances.exact);
+});
+
+test('the list of models has what each takes, and every model is made by its name', () => {
+    assert.deepEqual(kw.parametricSurfaces.map(({ name }) => name),
+        ['plane', 'cylinder', 'torus', 'sphere', 'cone', 'moebius', 'klein', 'helicoid', 'seashell']);
+    for (const { name, label, formula, closed, parameters } of kw.parametricSurfaces) {
+        assert.ok(label.length > 2 && formula.length > 10);
+        const surface = model(name);
+        assert.deepEqual(surface.closed, closed);
+        assert.deepEqual(Object.keys(surface.spec.parameters), parameters.map((one) => one.name));
+    }
+});
+
+test('a closed direction wraps and any other is refused outside', () => {
+    const cylinder = model('cylinder', { height: 2 });
+    near(cylinder.point(-1, 0.5), cylinder.point(2 * Math.PI - 1, 0.5), tolerances.exact);
+    assert.deepEqual(cylinder.point(2 * Math.PI, 1), cylinder.point(0, 1));
+    refuses(() => cylinder.point(0, 2.01), 'OUT_OF_RANGE', 'v');
+    refuses(() => model('plane').derivatives(-0.1, 0), 'OUT_OF_RANGE', 'u');
+    refuses(() => cylinder.point('0', 0), 'WRONG_TYPE', 'u');
+    refuses(() => cylinder.point(0, NaN), 'NOT_FINITE', 'v');
+});
+
+test('refinement keeps the surface and adds points in both directions', () => {
+    for (const spec of [bicubic, { ...bicubic, weights }]) {
+        const surface = kw.surface(spec);
+        const finer = surface.refine([[0, 0, 0, 0, 0.5, 1, 1.5, 2, 2, 2, 2], [0, 0, 0, 0.3, 1, 2, 2, 2]]);
+        assert.equal(finer.spec.points.length, 7);
+        assert.equal(finer.spec.points[0].length, 5);
+        for (const [u, v] of [[0, 0], [0.5, 0.3], [1, 1], [1.7, 0.2], [2, 2]]) {
+            near(finer.point(u, v), surface.point(u, v), tolerances.refinement);
+        }
+    }
+    refuses(() => kw.surface(bicubic).refine([[0, 0, 0, 0, 2, 2, 2, 2], bicubic.knots]), 'WRONG_TYPE', 'knots[1]');
+    refuses(() => kw.surface(bicubic).refine([kw.surface(bicubic).spec.knots[0], [0, 0, 0, 2, 2, 2, 2]]),
+        'KNOTS_MULTIPLICITY', 'knots[1][6]');
+});
+
+test('what is wrong with a net is said by row and column', () => {
+    const changed = (change) => {
+        const spec = structuredClone({ ...bicubic, weights });
+        change(spec);
+        return () => kw.surface(spec);
+    };
+    refuses(changed((spec) => { spec.points[2][3][1] = NaN; }), 'NOT_FINITE', 'points[2][3][1]');
+    refuses(changed((spec) => { spec.points[2][3] = [1]; }), 'WRONG_LENGTH', 'points[2][3]');
+    refuses(changed((spec) => { spec.points[2][3] = [1, 1e13]; }), 'OUT_OF_RANGE', 'points[2][3]');
+    refuses(changed((spec) => { spec.points[2].pop(); }), 'WRONG_LENGTH', 'points[2]');
+    refuses(changed((spec) => { spec.points.length = 3; }), 'WRONG_LENGTH', 'points');
+    refuses(changed((spec) => { spec.points = spec.points.map((row) => row.slice(0, 2)); }), 'WRONG_LENGTH', 'points[0]');
+    refuses(changed((spec) => { spec.weights[1][0] = 0; }), 'OUT_OF_RANGE', 'weights[1][0]');
+    refuses(changed((spec) => { spec.weights.pop(); }), 'WRONG_LENGTH', 'weights');
+    refuses(changed((spec) => { spec.weights[4].push(1); }), 'WRONG_LENGTH', 'weights[4]');
+    refuses(changed((spec) => { spec.knots = [[0, 0, 0, 0, 1, 2, 2, 2, 2], [0, 0, 0, 2, 1, 2, 2]]; }), 'KNOTS_DECREASING', 'knots[1][4]');
+    refuses(changed((spec) => { spec.knots = [[0, 1], [0, 0, 0, 1, 2, 2, 2]]; }), 'KNOTS_COUNT', 'knots[0]');
+    refuses(changed((spec) => { spec.knots = [[0, 1]]; }), 'WRONG_LENGTH', 'knots');
+    refuses(changed((spec) => { spec.degree = [0, 2]; }), 'OUT_OF_RANGE', 'degree[0]');
+    refuses(changed((spec) => { spec.degree = [3, 26]; }), 'TOO_LARGE', 'degree[1]');
+    refuses(changed((spec) => { spec.degree = 3; }), 'WRONG_TYPE', 'degree');
+    refuses(changed((spec) => { spec.form = ['clamped', 'round']; }), 'UNKNOWN_NAME', 'form[1]');
+    refuses(changed((spec) => { spec.name = 'x'; }), 'UNKNOWN_FIELD', 'name');
+    refuses(() => kw.surface({ type: 'bspline-curve' }), 'UNKNOWN_NAME', 'type');
+    refuses(() => kw.surface({ type: 'parametric-surface', name: 'sponge' }), 'UNKNOWN_NAME', 'name');
+    refuses(() => model('torus', { radius: 1 }), 'UNKNOWN_FIELD', 'parameters.radius');
+    refuses(() => model('plane', { width: 0 }), 'OUT_OF_RANGE', 'parameters.width');
+    refuses(() => model('plane', { width: '1' }), 'WRONG_TYPE', 'parameters.width');
+});
+
+test('a surface that was disposed of is gone', () => {
+    const surface = model('sphere');
+    surface.dispose();
+    surface.dispose();
+    for (const ask of [() => surface.domain, () => surface.closed, () => surface.spec, () => surface.point(0, 0)]) {
+        refuses(ask, 'DISPOSED');
+    }
+});

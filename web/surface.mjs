@@ -1,0 +1,100 @@
+// Surfaces as values: what every kind answers, and what B-spline surfaces answer besides.
+
+import { finite } from './check.mjs';
+import { Held } from './held.mjs';
+
+/** @typedef {import('./core.mjs').Core} Core */
+/** @typedef {[number, number]} Pair */
+
+export class Surface extends Held {
+    /** Starts and ends of the domain, and where it is closed. @type {number[]} */
+    #traits;
+
+    /** @param {Core} core @param {number} handle @param {ArrayLike<number>} traits as Session::holdSurface leaves them */
+    constructor(core, handle, traits) {
+        super(core, handle);
+        this.#traits = Array.from(traits);
+    }
+
+    /** @returns {[Pair, Pair]} */
+    get domain() {
+        Held.of(this);
+        const [u0, u1, v0, v1] = this.#traits;
+        return [[u0, u1], [v0, v1]];
+    }
+
+    /** Whether it is periodic along u and along v. @returns {[boolean, boolean]} */
+    get closed() {
+        Held.of(this);
+        return [this.#traits[4] === 1, this.#traits[5] === 1];
+    }
+
+    /** @param {number} u @param {number} v */
+    point(u, v) {
+        const { core, handle } = Held.of(this);
+        core.ask('surfacePoint', handle, finite(u, 'u'), finite(v, 'v'));
+        return core.point(0);
+    }
+
+    /** The point, its first and its second derivatives. @param {number} u @param {number} v */
+    derivatives(u, v) {
+        const { core, handle } = Held.of(this);
+        core.ask('surfaceDerivatives', handle, finite(u, 'u'), finite(v, 'v'));
+        return {
+            S: core.point(0), Su: core.point(1), Sv: core.point(2),
+            Suu: core.point(3), Suv: core.point(4), Svv: core.point(5),
+        };
+    }
+
+    /** What it was made from, defaults filled in. */
+    get spec() {
+        const { core, handle } = Held.of(this);
+        return core.json('surfaceSpec', handle);
+    }
+}
+
+export class BsplineSurface extends Surface {
+    /** The same surface over full vectors of more knots. @param {ArrayLike<ArrayLike<number>>} knots along u and along v */
+    refine(knots) {
+        return askSurface(this, 'refine', { knots }).surfaces[0];
+    }
+}
+
+export class ParametricSurface extends Surface {}
+
+/** In the order of Surface::Kind. */
+const kinds = [BsplineSurface, ParametricSurface];
+
+/** How many numbers of the block tell what kind of surface was made. */
+const traitCount = 7;
+
+/**
+ * The surface behind a handle, which was made just now where its traits still stand in the block.
+ * @param {Core} core
+ * @param {number} handle
+ * @param {ArrayLike<number>} traits
+ * @returns {Surface}
+ */
+export function adoptSurface(core, handle, traits = core.block(0, traitCount)) {
+    return new kinds[traits[6]](core, handle, traits);
+}
+
+/**
+ * What a surface answers to a question by name; `surfaces` in the answer are surfaces already.
+ * @param {Surface} surface
+ * @param {string} question
+ * @param {object} given
+ * @returns {any}
+ */
+export function askSurface(surface, question, given) {
+    const { core, handle } = Held.of(surface);
+    const answer = core.json('askSurface', question, handle, core.send(given));
+    /** @param {{ handle: number, traits: number[] }} found */
+    const adopted = (found) => adoptSurface(core, found.handle, found.traits);
+    return answer.surfaces ? { ...answer, surfaces: answer.surfaces.map(adopted) } : answer;
+}
+
+/** @param {Core} core @param {unknown} spec */
+export function makeSurface(core, spec) {
+    return adoptSurface(core, core.ask('surface', core.send(spec)));
+}
