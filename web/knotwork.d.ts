@@ -528,6 +528,17 @@ export interface Surface extends Disposable {
     derivatives(u: number, v: number): {
         S: Point3; Su: Point3; Sv: Point3; Suu: Point3; Suv: Point3; Svv: Point3;
     };
+    /**
+     * The unit normal, in the direction of Su × Sv. At a pole it is the limit from inside; [0, 0, 0]
+     * where there is none, that is where the surface shrinks to a curve or a point.
+     */
+    normal(u: number, v: number): Point3;
+    /**
+     * Gaussian and mean curvature and the principal ones, k1 ≥ k2, for the normal above: a sphere
+     * whose normal points outwards has mean −1/r. At a pole they are limits; NOT_SUPPORTED where they
+     * have none (the tip of a cone).
+     */
+    curvatures(u: number, v: number): { gaussian: number; mean: number; k1: number; k2: number };
     /** What it was made from, defaults filled in. */
     readonly spec: SurfaceSpec;
 }

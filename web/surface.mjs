@@ -46,6 +46,20 @@ export class Surface extends Held {
         };
     }
 
+    /** The unit normal, that of Su × Sv; zeros where there is none. @param {number} u @param {number} v */
+    normal(u, v) {
+        const { core, handle } = Held.of(this);
+        core.ask('surfaceNormal', handle, finite(u, 'u'), finite(v, 'v'));
+        return core.point(0);
+    }
+
+    /** @param {number} u @param {number} v */
+    curvatures(u, v) {
+        const { core, handle } = Held.of(this);
+        core.ask('surfaceCurvatures', handle, finite(u, 'u'), finite(v, 'v'));
+        return { gaussian: core.number(0), mean: core.number(1), k1: core.number(2), k2: core.number(3) };
+    }
+
     /** What it was made from, defaults filled in. */
     get spec() {
         const { core, handle } = Held.of(this);

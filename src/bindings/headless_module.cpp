@@ -66,6 +66,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("surfaceSpec", &Session::surfaceSpec)
         .function("surfacePoint", &Session::surfacePoint)
         .function("surfaceDerivatives", &Session::surfaceDerivatives)
+        .function("surfaceNormal", &Session::surfaceNormal)
+        .function("surfaceCurvatures", &Session::surfaceCurvatures)
         .function("parametricSurfaces", &Session::parametricSurfaces)
         .function("subdivision", &Session::subdivision)
         .function("subdivisionPoints", &Session::subdivisionPoints)

@@ -144,6 +144,10 @@ public:
     [[nodiscard]] bool surfacePoint(int handle, double u, double v);
     /// block: S, Su, Sv, Suu, Suv, Svv.
     [[nodiscard]] bool surfaceDerivatives(int handle, double u, double v);
+    /// block: the unit normal, or three zeros where there is none.
+    [[nodiscard]] bool surfaceNormal(int handle, double u, double v);
+    /// block: Gaussian and mean curvature, and the larger and the smaller principal one.
+    [[nodiscard]] bool surfaceCurvatures(int handle, double u, double v);
     [[nodiscard]] std::string parametricSurfaces() const;
 
     // Subdivision of polygons. It begins with all but the last levels, which are made block by block.

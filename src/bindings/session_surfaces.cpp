@@ -1,5 +1,6 @@
 // The part of the session that holds and evaluates surfaces.
 #include "bindings/session.hpp"
+#include "geometry/surface_differential.hpp"
 #include "scene/surface_specs.hpp"
 
 namespace knotwork::bindings {
@@ -65,6 +66,29 @@ bool Session::surfaceDerivatives(int handle, double u, double v) {
     for (std::size_t k = 0; k < answered.size(); ++k) {
         write(rows[orders.at(answered[k][0], answered[k][1])], block_.data() + 3 * k);
     }
+    return true;
+}
+
+bool Session::surfaceNormal(int handle, double u, double v) {
+    const auto* held = find<SurfaceValue>(handle);
+    if (!held) return false;
+    const auto place = placeInDomain(held->surface, u, v);
+    if (!place) return refuse(place.error());
+    write(unitNormal(held->surface, *place), block_.data());
+    return true;
+}
+
+bool Session::surfaceCurvatures(int handle, double u, double v) {
+    const auto* held = find<SurfaceValue>(handle);
+    if (!held) return false;
+    const auto place = placeInDomain(held->surface, u, v);
+    if (!place) return refuse(place.error());
+    const auto found = curvatures(held->surface, *place);
+    if (!found) return refuse(found.error());
+    block_[0] = found->gaussian;
+    block_[1] = found->mean;
+    block_[2] = found->k1;
+    block_[3] = found->k2;
     return true;
 }
 

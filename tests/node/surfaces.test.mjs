@@ -51,6 +51,29 @@ test('derivatives of the models are those of their formulas', () => {
     near(Svv, [-cv * cu, -cv * su, -sv], tolerances.exact);
 });
 
+test('normals point outwards and are limits at the poles', () => {
+    const sphere = model('sphere', { radius: 3 });
+    for (const [u, v] of [[0, 0], [1, 0.4], [2, -Math.PI / 2], [4, Math.PI / 2]]) {
+        near(sphere.normal(u, v), sphere.point(u, v).map((x) => x / 3), tolerances.exact);
+    }
+    assert.deepEqual(model('plane').normal(1, 1), [0, 0, 1]);
+    assert.deepEqual(model('cylinder', { radius: 0 }).normal(1, 1), [0, 0, 0]);
+    near(model('cone').normal(0, 1), [Math.SQRT1_2, 0, Math.SQRT1_2], tolerances.exact);
+    refuses(() => sphere.normal(0, 2), 'OUT_OF_RANGE', 'v');
+});
+
+test('curvatures are those of the surface, at poles too', () => {
+    const sphere = model('sphere', { radius: 2 });
+    for (const v of [0, 1, Math.PI / 2]) {
+        const { gaussian, mean, k1, k2 } = sphere.curvatures(0.3, v);
+        near([gaussian, mean, k1, k2], [0.25, -0.5, -0.5, -0.5], 1e-13);
+    }
+    const { gaussian, mean, k1, k2 } = model('torus').curvatures(1, 0);
+    near([gaussian, mean, k1, k2], [1 / 3, -2 / 3, -1 / 3, -1], 1e-13);
+    refuses(() => model('cone').curvatures(0, 1), 'NOT_SUPPORTED', '');
+    refuses(() => sphere.curvatures(0, NaN), 'NOT_FINITE', 'v');
+});
+
 test('the list of models has what each takes, and every model is made by its name', () => {
     assert.deepEqual(kw.parametricSurfaces.map(({ name }) => name),
         ['plane', 'cylinder', 'torus', 'sphere', 'cone', 'moebius', 'klein', 'helicoid', 'seashell']);

@@ -13,5 +13,10 @@ inline constexpr double nestedCurves = 2e-14;
 // A weight times a point over the weight.
 inline constexpr double weightedCorner = 3e-16;
 inline constexpr double refinedSurface = 1e-13;
+// Unit normals and curvatures of size up to 2 against closed forms; at a pole by power series.
+inline constexpr double normal = 1e-14;
+inline constexpr double curvature = 1e-13;
+inline constexpr double poleNormal = 1e-13;
+inline constexpr double poleCurvature = 1e-9;
 
 }  // namespace knotwork::test::gates
