@@ -121,9 +121,9 @@ function unknownField(key, known) {
 const typedArray = Object.getPrototypeOf(Float64Array.prototype);
 /** @type {(this: unknown) => string | undefined} */
 const tagOf = /** @type {any} */ (Object.getOwnPropertyDescriptor(typedArray, Symbol.toStringTag)).get;
-/** @type {(this: Float64Array | Int32Array) => number} */
+/** @type {(this: Float64Array | Int32Array | Uint32Array) => number} */
 const lengthOf = /** @type {any} */ (Object.getOwnPropertyDescriptor(typedArray, 'length')).get;
-/** @type {(this: Float64Array | Int32Array, numbers: ArrayLike<number>, offset: number) => void} */
+/** @type {(this: Float64Array | Int32Array | Uint32Array, numbers: ArrayLike<number>, offset: number) => void} */
 const setOf = typedArray.set;
 
 /**
@@ -138,7 +138,13 @@ export const isFloat64Array = (value) => tagOf.call(value) === 'Float64Array';
  */
 export const isInt32Array = (value) => tagOf.call(value) === 'Int32Array';
 
-/** @param {Float64Array | Int32Array} numbers */
+/**
+ * @param {unknown} value
+ * @returns {value is Uint32Array}
+ */
+export const isUint32Array = (value) => tagOf.call(value) === 'Uint32Array';
+
+/** @param {Float64Array | Int32Array | Uint32Array} numbers */
 export const lengthOfNumbers = (numbers) => lengthOf.call(numbers);
 
 /** @type {(this: Float64Array) => ArrayBuffer} */
@@ -154,23 +160,24 @@ export const bytesOf = (numbers) =>
 export const partOf = (numbers, from, count) =>
     new Float64Array(bufferOf.call(numbers), offsetOf.call(numbers) + 8 * from, count);
 
-/** @param {Float64Array | Int32Array} target @param {ArrayLike<number>} numbers @param {number} offset */
+/** @param {Float64Array | Int32Array | Uint32Array} target @param {ArrayLike<number>} numbers @param {number} offset */
 export const copyInto = (target, numbers, offset) => setOf.call(target, numbers, offset);
 
 /**
  * Where `length` numbers go: the caller's array, or a new one.
  * @param {unknown} into
  * @param {number} length
+ * @param {string} [name]
  * @returns {Float64Array}
  */
-export function target(into, length) {
+export function target(into, length, name = 'into') {
     if (into === undefined) return freshNumbers(length);
     if (!isFloat64Array(into)) {
-        throw new KnotworkError('WRONG_TYPE', 'into', `into must be a Float64Array, not ${describe(into)}.`);
+        throw new KnotworkError('WRONG_TYPE', name, `${name} must be a Float64Array, not ${describe(into)}.`);
     }
     if (lengthOfNumbers(into) === length) return into;
-    throw new KnotworkError('WRONG_LENGTH', 'into',
-        `into has ${lengthOfNumbers(into)} numbers; the answer has ${length}.`);
+    throw new KnotworkError('WRONG_LENGTH', name,
+        `${name} has ${lengthOfNumbers(into)} numbers; the answer has ${length}.`);
 }
 
 /** @param {number} length */

@@ -24,6 +24,7 @@ export class Core {
     #module;
     #encoder = new Encoder();
     #blockStart;
+    #normalsStart;
     #parametersStart;
     #integersStart;
     #roomStart = 0;
@@ -37,6 +38,7 @@ export class Core {
         this.#module = module;
         this.session = new module.Session();
         this.#blockStart = this.session.block() / 8;
+        this.#normalsStart = this.session.normals() / 8;
         this.#parametersStart = this.session.parameters() / 8;
         this.#integersStart = this.session.integers();
         if (typeof FinalizationRegistry === 'function') {
@@ -150,6 +152,14 @@ export class Core {
     block(from, count) {
         const start = this.#blockStart + from;
         return this.#module.HEAPF64.subarray(start, start + count);
+    }
+
+    /**
+     * The normals beside the points of the block, likewise.
+     * @param {number} count
+     */
+    normals(count) {
+        return this.#module.HEAPF64.subarray(this.#normalsStart, this.#normalsStart + count);
     }
 
     /**

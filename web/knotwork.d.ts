@@ -539,8 +539,28 @@ export interface Surface extends Disposable {
      * have none (the tip of a cone).
      */
     curvatures(u: number, v: number): { gaussian: number; mean: number; k1: number; k2: number };
+    /**
+     * nu × nv points (each at least 2, 4 million in all), uniform in the parameters, both ends
+     * included also where the surface is closed: there the last row or column repeats the first to
+     * the bit, and the triangles use the first, so that the mesh has no edge at the seam.
+     */
+    grid(nu: number, nv: number, options?: { into?: Grid }): Grid;
     /** What it was made from, defaults filled in. */
     readonly spec: SurfaceSpec;
+}
+
+/** Point (i, j), i along u, is number i · nv + j. */
+export interface Grid {
+    /** x, y, z triples. */
+    positions: Float64Array;
+    /** Unit normals, those of normal(u, v). */
+    normals: Float64Array;
+    /**
+     * Triangles, counter-clockwise seen from where the normals point to: 6 (nu − 1)(nv − 1) numbers.
+     * They depend on nu, nv and `closed` only, and those of an earlier answer with the same are left
+     * as they stand.
+     */
+    indices: Uint32Array;
 }
 
 export interface BsplineSurface extends Surface {

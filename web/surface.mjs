@@ -1,7 +1,8 @@
 // Surfaces as values: what every kind answers, and what B-spline surfaces answer besides.
 
-import { finite } from './check.mjs';
+import { finite, options } from './check.mjs';
 import { Held } from './held.mjs';
+import { fillGrid, gridSize, gridTarget } from './surface-grid.mjs';
 
 /** @typedef {import('./core.mjs').Core} Core */
 /** @typedef {[number, number]} Pair */
@@ -58,6 +59,20 @@ export class Surface extends Held {
         const { core, handle } = Held.of(this);
         core.ask('surfaceCurvatures', handle, finite(u, 'u'), finite(v, 'v'));
         return { gaussian: core.number(0), mean: core.number(1), k1: core.number(2), k2: core.number(3) };
+    }
+
+    /**
+     * nu × nv points, uniform in the parameters, with unit normals and triangles.
+     * @param {number} nu
+     * @param {number} nv
+     * @param {{ into?: import('./surface-grid.mjs').Grid }} [given]
+     */
+    grid(nu, nv, given) {
+        const { core, handle } = Held.of(this);
+        const size = gridSize(nu, nv, this.closed);
+        const grid = gridTarget(options(given, ['into']).into, size);
+        fillGrid(core, handle, size, grid);
+        return grid;
     }
 
     /** What it was made from, defaults filled in. */

@@ -66,6 +66,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("surfaceSpec", &Session::surfaceSpec)
         .function("surfacePoint", &Session::surfacePoint)
         .function("surfaceDerivatives", &Session::surfaceDerivatives)
+        .function("normals", &Session::normals)
+        .function("surfaceGrid", &Session::surfaceGrid)
         .function("surfaceNormal", &Session::surfaceNormal)
         .function("surfaceCurvatures", &Session::surfaceCurvatures)
         .function("parametricSurfaces", &Session::parametricSurfaces)

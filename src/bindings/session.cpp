@@ -33,6 +33,7 @@ Session::Address Session::room(unsigned bytes) {
 }
 
 Session::Address Session::block() const { return addressOf(block_.data()); }
+Session::Address Session::normals() const { return addressOf(normals_.data()); }
 Session::Address Session::parameters() const { return addressOf(parameters_.data()); }
 Session::Address Session::integers() const { return addressOf(integers_.data()); }
 Session::Address Session::bulk() const { return addressOf(bulk_.data()); }

@@ -15,7 +15,7 @@
 #include "geometry/curve.hpp"
 #include "geometry/curve_subdivision.hpp"
 #include "geometry/fitting.hpp"
-#include "geometry/surface.hpp"
+#include "geometry/surface_grid.hpp"
 #include "scene/scene.hpp"
 #include "scene/specs.hpp"
 
@@ -148,6 +148,12 @@ public:
     [[nodiscard]] bool surfaceNormal(int handle, double u, double v);
     /// block: Gaussian and mean curvature, and the larger and the smaller principal one.
     [[nodiscard]] bool surfaceCurvatures(int handle, double u, double v);
+    /// block and normals(): points first … first+count−1 of a grid of nu × nv ones and their unit
+    /// normals, count ≤ 1024. What the grid is made of is kept until another one is asked for.
+    [[nodiscard]] bool surfaceGrid(int handle, unsigned nu, unsigned nv, unsigned first,
+                                   unsigned count);
+    /// Where the normals of surfaceGrid() stand; 3 · 1024 numbers.
+    [[nodiscard]] Address normals() const;
     [[nodiscard]] std::string parametricSurfaces() const;
 
     // Subdivision of polygons. It begins with all but the last levels, which are made block by block.
@@ -196,7 +202,9 @@ private:
     };
     struct SurfaceValue {
         Surface surface;
-        std::optional<scene::Json> spec;  ///< made when it is first asked for
+        // Each of these is made when it is first asked for.
+        std::optional<scene::Json> spec;
+        std::optional<SurfaceGrid> grid{};
     };
     using Value = std::variant<std::monostate, std::unique_ptr<scene::Made<BFunction>>,
                                std::unique_ptr<CurveValue>, std::shared_ptr<scene::Scene>,
@@ -233,6 +241,7 @@ private:
     Error error_;
     std::vector<std::uint8_t> room_;
     std::array<double, 3 * blockPoints> block_{};
+    std::array<double, 3 * blockPoints> normals_{};
     std::array<double, blockPoints> parameters_{};
     std::array<std::int32_t, blockPoints> integers_{};
     std::vector<double> bulk_;

@@ -92,6 +92,18 @@ bool Session::surfaceCurvatures(int handle, double u, double v) {
     return true;
 }
 
+bool Session::surfaceGrid(int handle, unsigned nu, unsigned nv, unsigned first, unsigned count) {
+    auto* held = find<SurfaceValue>(handle);
+    if (!held) return false;
+    std::optional<SurfaceGrid>& grid = held->grid;
+    if (!grid || grid->rowCount() != nu || grid->columnCount() != nv) {
+        grid.emplace(held->surface, nu, nv);
+    }
+    const std::size_t points = std::min<std::size_t>(count, blockPoints);
+    grid->points(first, points, {block_.data(), 3 * points}, {normals_.data(), 3 * points});
+    return true;
+}
+
 std::string Session::parametricSurfaces() const {
     return scene::dumpJson(scene::describeParametricSurfaces());
 }

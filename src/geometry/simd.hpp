@@ -10,6 +10,7 @@
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
 #else
+#include <cmath>
 #include <cstring>
 #endif
 
@@ -39,6 +40,10 @@ inline void store(double* to, Double2 value) noexcept { wasm_v128_store(to, valu
 }
 [[nodiscard]] inline Double2 operator/(Double2 a, Double2 b) noexcept {
     return {wasm_f64x2_div(a.lanes, b.lanes)};
+}
+
+[[nodiscard]] inline Double2 squareRoot(Double2 a) noexcept {
+    return {wasm_f64x2_sqrt(a.lanes)};
 }
 
 /// (a0, b0), (a0, b1), (a1, b0) and (a1, b1).
@@ -100,6 +105,10 @@ inline void store(double* to, Double2 value) noexcept { std::memcpy(to, &value, 
 }
 [[nodiscard]] inline Double2 operator/(Double2 a, Double2 b) noexcept {
     return {a.lanes / b.lanes};
+}
+
+[[nodiscard]] inline Double2 squareRoot(Double2 a) noexcept {
+    return {Lanes{std::sqrt(a.lanes[0]), std::sqrt(a.lanes[1])}};
 }
 
 /// (a0, b0), (a0, b1), (a1, b0) and (a1, b1).

@@ -148,3 +148,65 @@ test('a surface that was disposed of is gone', () => {
         refuses(ask, 'DISPOSED');
     }
 });
+
+test('a grid has the points and normals of the surface, row by row', () => {
+    for (const surface of [kw.surface(bicubic), kw.surface({ ...bicubic, weights }), kw.surface({ ...bicubic, form: ['closed', 'open'] }), model('cone'), model('klein')]) {
+        const [[u0, u1], [v0, v1]] = surface.domain;
+        const { positions, normals, indices } = surface.grid(9, 33);
+        assert.deepEqual([positions.length, normals.length, indices.length], [3 * 9 * 33, 3 * 9 * 33, 6 * 8 * 32]);
+        for (let i = 0; i < 9; ++i) {
+            for (let j = 0; j < 33; ++j) {
+                const [u, v] = [u0 + (u1 - u0) * i / 8, v0 + (v1 - v0) * j / 32];
+                const at = 3 * (33 * i + j);
+                near(Array.from(positions.subarray(at, at + 3)), surface.point(u, v), tolerances.sampled);
+                near(Array.from(normals.subarray(at, at + 3)), surface.normal(u, v), 1e-11);
+            }
+        }
+    }
+});
+
+test('triangles are counter-clockwise and leave no edge at a closed seam', () => {
+    const { positions, normals, indices } = model('torus').grid(12, 9);
+    const at = (list, k) => Array.from(list.subarray(3 * k, 3 * k + 3));
+    const edges = new Set();
+    for (let k = 0; k < indices.length; k += 3) {
+        const corners = Array.from(indices.subarray(k, k + 3));
+        corners.forEach((corner, c) => edges.add(`${corner} ${corners[(c + 1) % 3]}`));
+        const [a, b, c] = corners.map((corner) => at(positions, corner));
+        const [p, q] = [b, c].map((corner) => corner.map((x, axis) => x - a[axis]));
+        const n = at(normals, corners[0]);
+        const volume = n[0] * (p[1] * q[2] - p[2] * q[1]) + n[1] * (p[2] * q[0] - p[0] * q[2]) + n[2] * (p[0] * q[1] - p[1] * q[0]);
+        assert.ok(volume > 0);
+    }
+    for (const edge of edges) assert.ok(edges.has(edge.split(' ').reverse().join(' ')));
+    assert.equal(edges.size, 6 * 11 * 8);
+    assert.deepEqual(positions.slice(0, 27), positions.slice(-27));
+});
+
+test('a grid fills the arrays of an earlier answer, whatever they held', () => {
+    const torus = model('torus');
+    const sphere = model('sphere');
+    const grid = torus.grid(40, 60);
+    const { positions, normals, indices } = grid;
+    assert.deepEqual(sphere.grid(40, 60, { into: grid }), sphere.grid(40, 60));
+    assert.equal(grid.positions, positions);
+    const turned = sphere.grid(60, 40, { into: { positions, normals, indices: new Uint32Array(indices.length) } });
+    assert.equal(turned.normals, normals);
+    assert.deepEqual(turned, sphere.grid(60, 40));
+    assert.deepEqual(kw.surface(bicubic).grid(60, 40, { into: { positions, normals, indices } }), kw.surface(bicubic).grid(60, 40));
+});
+
+test('a grid that cannot be is refused', () => {
+    const plane = model('plane');
+    const { positions, normals, indices } = plane.grid(2, 3);
+    refuses(() => plane.grid(1, 3), 'OUT_OF_RANGE', 'nu');
+    refuses(() => plane.grid(3, 2.5), 'NOT_INTEGER', 'nv');
+    refuses(() => plane.grid(2001, 2000), 'TOO_LARGE', 'nv');
+    refuses(() => plane.grid(2 ** 32 + 5, 2), 'TOO_LARGE', 'nu');
+    refuses(() => plane.grid(2, 3, { into: positions }), 'WRONG_TYPE', 'into');
+    refuses(() => plane.grid(3, 3, { into: { positions, normals, indices } }), 'WRONG_LENGTH', 'into.positions');
+    refuses(() => plane.grid(3, 2, { into: { positions, normals, indices: new Uint32Array(5) } }), 'WRONG_LENGTH', 'into.indices');
+    refuses(() => plane.grid(3, 2, { into: { positions, normals: [], indices } }), 'WRONG_TYPE', 'into.normals');
+    refuses(() => plane.grid(3, 2, { into: { positions, normals, indices: new Float64Array(12) } }), 'WRONG_TYPE', 'into.indices');
+    refuses(() => plane.grid(3, 2, { onto: 1 }), 'UNKNOWN_FIELD', 'onto');
+});

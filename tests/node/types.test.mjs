@@ -71,6 +71,10 @@ const patch = kw.surface({ type: 'bspline-surface', degree: [1, 2], form: ['clam
 const finer = patch.refine([patch.spec.knots![0], new Float64Array(6)]);
 const torus = kw.surface({ type: 'parametric-surface', name: 'torus', parameters: { R: 3 } });
 const bent: [number, number, number] = torus.derivatives(0, 1).Suv;
+const grid = torus.grid(10, 10);
+const corners3: Uint32Array = patch.grid(10, 10, { into: grid }).indices;
+const { k1 }: { k1: number } = torus.curvatures(0, 1);
+void [corners3, k1, torus.normal(1, 2)[0]];
 void [finer.closed[0], bent, kw.parametricSurfaces[0].formula];
 void [limits, smooth, orders, values, rows, flat, weights, points, parameters, derivatives, shapes, said];
 `;
@@ -135,6 +139,7 @@ const values = {
     FormulaCurve: kw.curve({ type: 'formula-curve', x: 't', y: 't^2', domain: [0, 1] }),
     BsplineSurface: kw.surface({ type: 'bspline-surface', degree: [1, 1], points: [[[0, 0], [1, 0]], [[0, 1], [1, 1]]] }),
     ParametricSurface: kw.surface({ type: 'parametric-surface', name: 'torus' }),
+    Grid: kw.surface({ type: 'parametric-surface', name: 'plane' }).grid(2, 2),
     ParametricSurfaceModel: kw.parametricSurfaces[0],
     Scene: kw.scene(kw.scenes[0].document),
     BFunctionFamily: kw.bFunctions[0],

@@ -18,5 +18,8 @@ inline constexpr double normal = 1e-14;
 inline constexpr double curvature = 1e-13;
 inline constexpr double poleNormal = 1e-13;
 inline constexpr double poleCurvature = 1e-9;
+// Grids against single points, coordinates up to 3; normals over |Su × Sv|.
+inline constexpr double gridPoint = 1e-13;
+inline constexpr double gridNormal = 1e-12;
 
 }  // namespace knotwork::test::gates

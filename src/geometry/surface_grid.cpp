@@ -1,0 +1,149 @@
+#include "geometry/surface_grid.hpp"
+
+#include "geometry/bspline_grid.hpp"
+#include "geometry/polynomial_piece.hpp"
+#include "geometry/surface_differential.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+#include <variant>
+
+namespace knotwork {
+
+namespace {
+
+void write(const Vec3& v, double* to) noexcept {
+    for (int axis = 0; axis < 3; ++axis) to[axis] = v[axis];
+}
+
+/// The power forms of all rows of the net pay where there are more points of the grid than of it.
+constexpr std::size_t worthwhile = 4;
+
+/// Parametric surfaces: S = Σ_k f_k(u) g_k(v) e_k from tables of f_k and g_k.
+class ProductGrid {
+public:
+    ProductGrid(const ParametricSurface& surface, const GridLine& u, const GridLine& v)
+        : axes_(surface.axes()), terms_(axes_.size()), lengthU_(u.domain.length()),
+          lengthV_(v.domain.length()), alongU_(2 * terms_ * u.count),
+          alongV_(2 * terms_ * v.count) {
+        for (std::size_t i = 0; i < u.count; ++i) {
+            surface.factorsU(u.at(i).parameter, 1, std::span(alongU_).subspan(2 * terms_ * i));
+        }
+        for (std::size_t j = 0; j < v.count; ++j) {
+            surface.factorsV(v.at(j).parameter, 1, std::span(alongV_).subspan(2 * terms_ * j));
+        }
+    }
+
+    void prepare(std::size_t row) noexcept { row_ = &alongU_[2 * terms_ * row]; }
+
+    void columns(std::size_t first, std::size_t count, double* positions,
+                 double* normals) noexcept {
+        unclear_.clear();
+        for (std::size_t j = first; j < first + count; ++j, positions += 3, normals += 3) {
+            const double* g = &alongV_[2 * terms_ * j];
+            Vec3 s(0);
+            Vec3 su(0);
+            Vec3 sv(0);
+            for (std::size_t k = 0; k < terms_; ++k) {
+                const std::uint8_t axis = axes_[k];
+                s[axis] += row_[2 * k] * g[2 * k];
+                su[axis] += row_[2 * k + 1] * g[2 * k];
+                sv[axis] += row_[2 * k] * g[2 * k + 1];
+            }
+            const Vec3 normal = plainNormal(su, sv, lengthU_, lengthV_);
+            if (normal == Vec3(0)) unclear_.push_back(j);
+            write(s, positions);
+            write(normal, normals);
+        }
+    }
+    [[nodiscard]] const std::vector<std::size_t>& unclear() const noexcept { return unclear_; }
+
+private:
+    std::span<const std::uint8_t> axes_;
+    std::size_t terms_;
+    double lengthU_;
+    double lengthV_;
+    std::vector<double> alongU_;  // f_k and its derivative, k by k, parameter by parameter
+    std::vector<double> alongV_;
+    const double* row_ = nullptr;
+    std::vector<std::size_t> unclear_;
+};
+
+using Rows = std::variant<PolynomialGrid, TensorGrid, ProductGrid>;
+
+Rows rowsOf(const BsplineSurface& spline, const GridLine& u, const GridLine& v) {
+    const auto degree = static_cast<std::size_t>(spline.knotsV().degree());
+    const bool polynomial = !spline.rational() && degree <= maxPowerDegree;
+    if (polynomial && u.count * v.count >= worthwhile * spline.points().size()) {
+        return PolynomialGrid(spline, u, v);
+    }
+    return TensorGrid(spline, u, v);
+}
+
+Rows rowsOf(const ParametricSurface& model, const GridLine& u, const GridLine& v) {
+    return ProductGrid(model, u, v);
+}
+
+}  // namespace
+
+struct SurfaceGrid::Engine {
+    Surface surface;  // the rows refer to it
+    Rows rows;
+    std::optional<std::size_t> prepared = {};
+
+    Engine(Surface of, const GridLine& u, const GridLine& v)
+        : surface(std::move(of)),
+          rows(std::visit([&](const auto& kind) { return rowsOf(kind, u, v); }, surface.kind())) {}
+};
+
+SurfaceGrid::SurfaceGrid(Surface surface, std::size_t nu, std::size_t nv)
+    : u_{domain(surface).u, closedDirections(surface).u, nu},
+      v_{domain(surface).v, closedDirections(surface).v, nv},
+      engine_(std::make_unique<Engine>(std::move(surface), u_, v_)) {}
+SurfaceGrid::~SurfaceGrid() = default;
+SurfaceGrid::SurfaceGrid(SurfaceGrid&&) noexcept = default;
+SurfaceGrid& SurfaceGrid::operator=(SurfaceGrid&&) noexcept = default;
+
+void SurfaceGrid::points(std::size_t first, std::size_t count, std::span<double> positions,
+                         std::span<double> normals) noexcept {
+    const auto part = [&](auto& rows, std::size_t row, std::size_t column, std::size_t number,
+                          std::size_t done) {
+        if (engine_->prepared != row) rows.prepare(row);
+        engine_->prepared = row;
+        rows.columns(column, number, &positions[3 * done], &normals[3 * done]);
+        for (const std::size_t j : rows.unclear()) {
+            const GridLine::Place u = u_.at(row);
+            const GridLine::Place v = v_.at(j);
+            const SurfacePlace at{u.parameter, v.parameter, u.side, v.side};
+            write(unitNormal(engine_->surface, at), &normals[3 * (done + j - column)]);
+        }
+    };
+    for (std::size_t done = 0; done < count;) {
+        const std::size_t row = (first + done) / v_.count;
+        const std::size_t column = (first + done) % v_.count;
+        const std::size_t number = std::min(count - done, v_.count - column);
+        std::visit([&](auto& rows) { part(rows, row, column, number, done); }, engine_->rows);
+        done += number;
+    }
+}
+
+std::vector<std::uint32_t> gridTriangles(std::size_t nu, std::size_t nv, ClosedDirections closed) {
+    std::vector<std::uint32_t> triangles;
+    triangles.reserve(6 * (nu - 1) * (nv - 1));
+    for (std::size_t i = 0; i + 1 < nu; ++i) {
+        const std::size_t row = i * nv;
+        const std::size_t next = closed.u && i + 2 == nu ? 0 : row + nv;
+        for (std::size_t j = 0; j + 1 < nv; ++j) {
+            const std::size_t right = closed.v && j + 2 == nv ? 0 : j + 1;
+            for (const std::size_t corner :
+                 {row + j, next + j, next + right, row + j, next + right, row + right}) {
+                triangles.push_back(static_cast<std::uint32_t>(corner));
+            }
+        }
+    }
+    return triangles;
+}
+
+}  // namespace knotwork
