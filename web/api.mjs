@@ -5,6 +5,7 @@ import { Core } from './core.mjs';
 import { makeCurve } from './curve.mjs';
 import { enclosingSphere, fit, interpolate } from './fit.mjs';
 import { decodeLink, encodeLink } from './links.mjs';
+import { makeMesh } from './mesh.mjs';
 import { openScene } from './scene.mjs';
 import { subdivide } from './subdivide.mjs';
 import { makeSurface } from './surface.mjs';
@@ -32,6 +33,11 @@ export function makeApi(module) {
         },
         /** @param {unknown} spec @param {unknown} [given] */
         subdivide: (spec, given) => subdivide(core, spec, given),
+        /** @param {unknown} spec */
+        mesh: (spec) => makeMesh(core, spec),
+        get solids() {
+            return core.json('solids');
+        },
         /** @param {unknown} request */
         fit: (request) => fit(core, request),
         /** @param {unknown} request */

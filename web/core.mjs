@@ -4,6 +4,8 @@ import { Encoder } from './cbor.mjs';
 import { copyInto } from './check.mjs';
 import { KnotworkError } from './errors.mjs';
 
+const utf8 = new TextEncoder();
+
 /** As many points as the session's block holds. */
 export const blockPoints = 1024;
 
@@ -202,6 +204,30 @@ export class Core {
     copy(address, count) {
         const start = address / 8;
         return this.#module.HEAPF64.slice(start, start + count);
+    }
+
+    /**
+     * Numbers, or unsigned integers, at an address of wasm memory: a view that lasts until the next call.
+     * @param {number} address
+     * @param {number} count
+     */
+    doubles(address, count) {
+        return this.#module.HEAPF64.subarray(address / 8, address / 8 + count);
+    }
+
+    /** @param {number} address @param {number} count */
+    indices(address, count) {
+        return new Uint32Array(this.#module.HEAPU8.buffer, address, count);
+    }
+
+    /**
+     * Puts a text where the next call reads it.
+     * @param {string} text
+     */
+    sendText(text) {
+        const bytes = utf8.encode(text);
+        const start = this.call('textRoom', bytes.length);
+        this.#module.HEAPU8.set(bytes, start);
     }
 
     /**

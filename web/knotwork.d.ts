@@ -58,6 +58,13 @@ export interface Knotwork {
      * points into 2N − degree, or 2N − 1 of the four-point scheme. At most 2^22 points.
      */
     subdivide(spec: Subdivision & IntoOption, options?: IntoOption): Float64Array;
+    /**
+     * A mesh of at most 4 million vertices. NOT_MANIFOLD with path `edges[a,b]` where the edge between
+     * two vertices has more than two faces, or two that go along it in the same direction.
+     */
+    mesh(spec: MeshSpec): Mesh;
+    /** The named meshes and their parameters. */
+    readonly solids: Solid[];
     /** The B-spline curve with `count` control points that is nearest to points. */
     fit(request: FitRequest): Fit;
     /** The B-spline curve through points, with one control point each. */
@@ -433,6 +440,56 @@ export interface ParametricCurveModel {
     name: string;
     label: string;
     dimension: number;
+    parameters: ParameterDescription[];
+}
+
+// Meshes
+
+/**
+ * Inscribed in the unit sphere, but for the cube with the corners (±1, ±1, ±1), the tetrahedron with
+ * (1, 1, 1), (1, −1, −1), (−1, 1, −1), (−1, −1, 1), and the octahedron with the unit vectors. The grid
+ * is open and lies in the plane z = 0.
+ */
+export type SolidSpec =
+    | { solid: 'tetrahedron' | 'cube' | 'octahedron' | 'dodecahedron' | 'icosahedron' | 'cuboctahedron' }
+    | { solid: 'prism'; parameters?: { sides?: number } }
+    /** `tube` is the radius of the tube where 1 is the distance of the outermost point. */
+    | { solid: 'torus'; parameters?: { around?: number; across?: number; tube?: number } }
+    | { solid: 'sphere'; parameters?: { around?: number; across?: number } }
+    | { solid: 'grid'; parameters?: { columns?: number; rows?: number } };
+
+export type MeshSpec =
+    | SolidSpec
+    /** Each face names its vertices once, counter-clockwise seen from outside. */
+    | { vertices: Points; faces: readonly (readonly number[])[] }
+    /** The text of an OBJ file: its vertices and faces; everything else in it is passed over. */
+    | { obj: string };
+
+export interface Mesh extends Disposable {
+    readonly counts: { vertices: number; edges: number; faces: number; boundaryEdges: number };
+    /** x, y, z triples. */
+    readonly vertices: Float64Array;
+    readonly faces: number[][];
+    /** [v0, v1, f0, f1]: face f0 goes from v0 to v1, f1 back; −1 on a boundary. */
+    readonly edges: number[][];
+    /** Three vertices a triangle: the faces cut for drawing, larger ones than quads as if convex. */
+    readonly indices: Uint32Array;
+    /**
+     * A unit normal for every vertex: the mean of its faces' normals weighted by their angles there.
+     * Zero for vertices without faces, or where those cancel.
+     */
+    vertexNormals(options?: IntoOption): Float64Array;
+    /** The same vertices with the triangles of `indices` as faces. */
+    triangulated(): Mesh;
+    /** The text of an OBJ file, which reads back as the same mesh, to the bit. */
+    toObj(): string;
+    /** What makes it again: the solid that it is, defaults filled in, or its vertices and faces. */
+    readonly spec: SolidSpec | { vertices: Point3[]; faces: number[][] };
+}
+
+export interface Solid {
+    name: SolidSpec['solid'];
+    label: string;
     parameters: ParameterDescription[];
 }
 

@@ -37,7 +37,10 @@ Session::Address Session::normals() const { return addressOf(normals_.data()); }
 Session::Address Session::parameters() const { return addressOf(parameters_.data()); }
 Session::Address Session::integers() const { return addressOf(integers_.data()); }
 Session::Address Session::bulk() const { return addressOf(bulk_.data()); }
-void Session::dropBulk() { bulk_ = {}; }
+void Session::dropBulk() {
+    bulk_ = {};
+    bulkIndices_ = {};
+}
 
 int Session::refuse(Error error) {
     error_ = std::move(error);
@@ -114,6 +117,7 @@ T* Session::find(int handle) {
 template Made<BFunction>* Session::find<Made<BFunction>>(int);
 template Session::CurveValue* Session::find<Session::CurveValue>(int);
 template Session::SurfaceValue* Session::find<Session::SurfaceValue>(int);
+template Session::MeshValue* Session::find<Session::MeshValue>(int);
 template scene::Scene* Session::find<scene::Scene>(int);
 
 // B-functions.

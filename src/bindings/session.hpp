@@ -1,5 +1,6 @@
-// What one load() holds: B-functions, curves, surfaces and scenes behind integer handles, and the border's
-// two buffers. Only numbers, strings and addresses cross, so nothing here can throw or be coerced.
+// What one load() holds: B-functions, curves, surfaces, meshes and scenes behind integer handles,
+// and the border's two buffers. Only numbers, strings and addresses cross, so nothing here can throw
+// or be coerced.
 //
 // Conventions. Input crosses as CBOR: the facade asks for room(bytes), writes there and passes the
 // number of bytes. A refused call answers 0, false, -1 or "" (whatever cannot be an answer) and
@@ -15,6 +16,7 @@
 #include "geometry/curve.hpp"
 #include "geometry/curve_subdivision.hpp"
 #include "geometry/fitting.hpp"
+#include "geometry/mesh.hpp"
 #include "geometry/surface_grid.hpp"
 #include "scene/scene.hpp"
 #include "scene/specs.hpp"
@@ -170,6 +172,33 @@ public:
     /// block: centre and radius.
     [[nodiscard]] bool enclosingSphere(unsigned bytes);
 
+    // Meshes. Large ones come in through rooms of their own, which a mesh then takes over.
+    /// block: the addresses of the points, of the starts of the faces (one more than faces) and of
+    /// their corners, all to be written. TOO_LARGE for more than there may be.
+    [[nodiscard]] bool meshRoom(unsigned vertices, unsigned faces, unsigned corners);
+    [[nodiscard]] int meshFromRoom();
+    /// Where to write a text of so many bytes.
+    [[nodiscard]] Address textRoom(unsigned bytes);
+    /// Of the text, which is OBJ.
+    [[nodiscard]] int meshFromText();
+    /// Of a specification, which is short.
+    [[nodiscard]] int mesh(unsigned bytes);
+    /// The specification of a mesh that was made of one, else `null`.
+    [[nodiscard]] std::string meshSpec(int handle);
+    /// block: how many vertices, faces and corners; the size of every face or 0; the addresses of
+    /// the points, of the corners and, where sizes differ, of the starts, good while it is held.
+    [[nodiscard]] bool meshParts(int handle);
+    /// block: how many vertices, edges, faces and boundary edges; the address of the edges.
+    [[nodiscard]] bool meshCounts(int handle);
+    /// bulk: a normal for every vertex. Answers how many, or -1.
+    [[nodiscard]] int meshNormals(int handle);
+    /// bulkIndices: three a triangle. Answers how many triangles, or -1.
+    [[nodiscard]] int meshTriangles(int handle);
+    [[nodiscard]] Address bulkIndices() const;
+    [[nodiscard]] int meshTriangulated(int handle);
+    [[nodiscard]] std::string meshObj(int handle);
+    [[nodiscard]] std::string solids() const;
+
     // Scenes.
     [[nodiscard]] int openScene(unsigned bytes);
     /// The scene itself, for a view that shows it; null for an unknown handle.
@@ -206,9 +235,18 @@ private:
         std::optional<scene::Json> spec;
         std::optional<SurfaceGrid> grid{};
     };
+    struct MeshValue {
+        Mesh mesh;
+        std::optional<scene::Json> spec;
+    };
+    struct MeshRoom {
+        std::vector<Vec3> points;
+        std::vector<std::uint32_t> starts;
+        std::vector<std::uint32_t> corners;
+    };
     using Value = std::variant<std::monostate, std::unique_ptr<scene::Made<BFunction>>,
                                std::unique_ptr<CurveValue>, std::shared_ptr<scene::Scene>,
-                               std::unique_ptr<SurfaceValue>>;
+                               std::unique_ptr<SurfaceValue>, std::unique_ptr<MeshValue>>;
     struct Slot {
         Value value;
         unsigned generation = 1;
@@ -222,6 +260,7 @@ private:
     [[nodiscard]] int holdCurve(Result<scene::Made<Curve>> made);
     [[nodiscard]] int holdSurface(SurfaceValue value);
     [[nodiscard]] static const scene::Json& specOf(CurveValue& held);
+    [[nodiscard]] int holdMesh(Result<Mesh> mesh);
     [[nodiscard]] const Slot* slot(int handle) const;
     /// The value of this type behind the handle; null (and DISPOSED in error()) if there is none.
     template <class T>
@@ -245,6 +284,9 @@ private:
     std::array<double, blockPoints> parameters_{};
     std::array<std::int32_t, blockPoints> integers_{};
     std::vector<double> bulk_;
+    std::vector<std::uint32_t> bulkIndices_;
+    std::string text_;
+    MeshRoom meshRoom_;
     std::optional<FinalPolygon> subdivided_;
     drawing::Drawing drawing_;
     std::vector<Slot> slots_;

@@ -4,7 +4,8 @@
 // vertices of a face, counted from 1 or, negative, back from the last one; `7/2`, `7//3`, `7/2/3`
 // name a texture and a normal too, which are left out). All the other words of the format, as
 // groups, materials, curves, are passed over, and so are comments from # on; a line that ends in a
-// backslash goes on in the next one. (Wavefront, Advanced Visualizer Manual, Appendix B1, Object Files.)
+// backslash goes on in the next one. (Wavefront, Advanced Visualizer Manual, Appendix B1: Object
+// Files.)
 #pragma once
 
 #include "geometry/mesh.hpp"

@@ -11,6 +11,14 @@ Field fieldOf(const ParameterDescription& parameter) {
             .slider = std::pair{parameter.low, parameter.high}};
 }
 
+std::vector<NamedValue> namedValues(const Json& group) {
+    std::vector<NamedValue> values;
+    for (const auto& item : group.items()) {
+        values.emplace_back(item.key(), item.value().get<double>());
+    }
+    return values;
+}
+
 Json describeParameters(std::span<const ParameterDescription> parameters) {
     Json list = Json::array();
     for (const ParameterDescription& parameter : parameters) {

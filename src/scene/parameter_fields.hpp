@@ -6,10 +6,14 @@
 #include "scene/json.hpp"
 
 #include <span>
+#include <vector>
 
 namespace knotwork::scene {
 
 [[nodiscard]] Field fieldOf(const ParameterDescription& parameter);
+
+/// The members of an object of numbers, each with its name.
+[[nodiscard]] std::vector<NamedValue> namedValues(const Json& group);
 
 /// [{ name, label, min, max, default, minOpen, maxOpen, integer, help }]
 [[nodiscard]] Json describeParameters(std::span<const ParameterDescription> parameters);

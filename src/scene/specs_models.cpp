@@ -1,23 +1,12 @@
 #include "scene/spec_builders.hpp"
 
 #include "scene/json_values.hpp"
+#include "scene/parameter_fields.hpp"
 
 namespace knotwork::scene {
 
-namespace {
-
-std::vector<NamedValue> parametersOf(const Json& spec) {
-    std::vector<NamedValue> parameters;
-    for (const auto& item : member(spec, "parameters")->items()) {
-        parameters.emplace_back(item.key(), item.value().get<double>());
-    }
-    return parameters;
-}
-
-}  // namespace
-
 Result<Curve> buildParametric(Json& spec) {
-    const auto parameters = parametersOf(spec);
+    const auto parameters = namedValues(*member(spec, "parameters"));
     std::optional<Interval> over;
     if (const Json* given = member(spec, "domain")) {
         over = Interval{(*given)[0].get<double>(), (*given)[1].get<double>()};
@@ -32,7 +21,7 @@ Result<Curve> buildFormula(Json& spec) {
     const Json& over = *member(spec, "domain");
     FormulaCurveParts parts{.x = stringOr(spec, "x", ""),
                             .y = stringOr(spec, "y", ""),
-                            .parameters = parametersOf(spec),
+                            .parameters = namedValues(*member(spec, "parameters")),
                             .domain = {over[0].get<double>(), over[1].get<double>()},
                             .closed = member(spec, "closed")->get<bool>()};
     if (member(spec, "z") != nullptr) parts.z = stringOr(spec, "z", "");

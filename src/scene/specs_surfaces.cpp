@@ -1,5 +1,6 @@
 // The builders of B-spline and parametric surfaces.
 #include "scene/json_values.hpp"
+#include "scene/parameter_fields.hpp"
 #include "scene/surface_builders.hpp"
 
 #include <utility>
@@ -104,10 +105,7 @@ Result<Surface> buildBsplineSurface(Json& spec) {
 }
 
 Result<Surface> buildParametricSurface(Json& spec) {
-    std::vector<NamedValue> parameters;
-    for (const auto& item : member(spec, "parameters")->items()) {
-        parameters.emplace_back(item.key(), item.value().get<double>());
-    }
+    const auto parameters = namedValues(*member(spec, "parameters"));
     auto surface = ParametricSurface::make(stringOr(spec, "name", ""), parameters);
     if (!surface) return surface.error();
     return Surface(std::move(*surface));

@@ -77,6 +77,13 @@ export const curves = [
     { type: 'formula-curve', x: 'a*t', y: 't^2', z: 'sin(t)', parameters: { a: 2 }, domain: [0, 1], closed: false },
 ];
 
+export const meshes = [
+    { solid: 'cube' },
+    { solid: 'torus', parameters: { around: 5, across: 4, tube: 0.2 } },
+    { vertices: [[0, 0], [1, 0, 1], [1, 1], [0, 1]], faces: [[0, 1, 2], [0, 2, 3]] },
+    { obj: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' },
+];
+
 export const traces = [
     { algorithm: 'de-boor', curve: curves[0], t: 0.5 },
     { algorithm: 'cox-de-boor', curve: curves[2], t: 0.5 },
@@ -122,6 +129,9 @@ export const methods = {
     BlendingCurve: {
         withPose: ['integer', 'object'], blendBasis: ['number'], local: ['integer'], withKnots: ['list', { recut: 'boolean' }],
     },
+    Mesh: {
+        vertexNormals: [{ into: 'into' }],
+    },
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'],
     },
@@ -129,7 +139,7 @@ export const methods = {
 
 /** Methods that take nothing. */
 export const withoutArguments = [
-    'dispose', 'enclosingSphere', 'undo', 'redo', 'limitPoints', 'limitTangents', 'bezierPieces', 'derivativeCurve', 'reversed',
+    'dispose', 'triangulated', 'toObj', 'enclosingSphere', 'undo', 'redo', 'limitPoints', 'limitTangents', 'bezierPieces', 'derivativeCurve', 'reversed',
 ];
 
 const codes = new Set([

@@ -42,6 +42,26 @@ const lives = {
         curve.dispose();
         refuses(() => kw.subdivide({ ...curveless, into: new Float64Array(1) }), 'WRONG_LENGTH', 'into');
     }],
+    'meshes': [10_000, () => {
+        const mesh = kw.mesh({ solid: 'torus', parameters: { around: 5, across: 4 } });
+        const again = kw.mesh({ vertices: mesh.vertices, faces: mesh.faces });
+        again.vertexNormals();
+        again.edges.at(-1);
+        again.dispose();
+        mesh.dispose();
+    }],
+    'meshes by their text': [2000, () => {
+        const mesh = kw.mesh({ solid: 'cube' });
+        const triangles = mesh.triangulated();
+        triangles.indices.at(-1);
+        kw.mesh({ obj: triangles.toObj() }).dispose();
+        triangles.dispose();
+        mesh.dispose();
+    }],
+    'refused meshes': [2000, () => {
+        refuses(() => kw.mesh({ vertices: new Float64Array(12), faces: [[0, 1, 2], [0, 1, 3]] }), 'NOT_MANIFOLD', 'edges[0,1]');
+        refuses(() => kw.mesh({ obj: 'v 0 0 0\nw' }), 'SYNTAX', 'obj');
+    }],
     'B-functions': [10_000, () => {
         const b = kw.bFunction({ family: 'logistic', c: 2 });
         b.sample(10);

@@ -76,7 +76,15 @@ const corners3: Uint32Array = patch.grid(10, 10, { into: grid }).indices;
 const { k1 }: { k1: number } = torus.curvatures(0, 1);
 void [corners3, k1, torus.normal(1, 2)[0]];
 void [finer.closed[0], bent, kw.parametricSurfaces[0].formula];
-void [limits, smooth, orders, values, rows, flat, weights, points, parameters, derivatives, shapes, said];
+const cube = kw.mesh({ solid: 'cube' });
+const ring = kw.mesh({ solid: 'torus', parameters: { around: 6, tube: 0.2 } });
+const solid = kw.mesh({ vertices: [[0, 0], [1, 0, 2], [0, 1]], faces: [[0, 1, 2]] });
+const flatMesh = kw.mesh({ vertices: new Float64Array(9), faces: cube.faces });
+const again = kw.mesh(kw.mesh({ obj: cube.toObj() }).triangulated().spec);
+const meshLists: [Float64Array, number[][], Uint32Array] = [ring.vertexNormals({ into: again.vertices }), solid.edges, flatMesh.indices];
+const boundary: number = cube.counts.boundaryEdges;
+const parametersOfSolids: string[] = kw.solids.flatMap((one) => one.parameters.map(({ label }) => label));
+void [limits, smooth, meshLists, boundary, parametersOfSolids, orders, values, rows, flat, weights, points, parameters, derivatives, shapes, said];
 `;
 
 test('a program that uses everything compiles strictly', async () => {
@@ -91,6 +99,8 @@ for (const [name, text] of [
     ['a method of another kind of curve', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).knots;"],
     ['single precision', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).sample(3, { into: new Float32Array(9) });"],
     ['a parameter of another surface', "(await load()).surface({ type: 'parametric-surface', name: 'sphere', parameters: { R: 1 } });"],
+    ['a solid that does not exist', "(await load()).mesh({ solid: 'teapot' });"],
+    ['a parameter of another solid', "(await load()).mesh({ solid: 'cube', parameters: { sides: 4 } });"],
     ['a code that does not exist', "new KnotworkError('OOPS', '', '');"],
     ['a tension of another scheme', "(await load()).subdivide({ scheme: 'chaikin', points: [], tension: 0 });"],
     ['changing what is read only', "(await load()).bFunction({ family: 'linear' }).order = [0, 0];"],
@@ -134,6 +144,8 @@ const values = {
     LineCurve: kw.curve({ type: 'line-curve', from: [0, 0], to: [1, 1] }),
     ArcCurve: kw.curve({ type: 'arc-curve', at: 0, point: [0, 0], first: [1, 0], second: [0, 1], domain: [0, 1] }),
     SubdivisionCurve: kw.curve({ type: 'subdivision-curve', scheme: 'chaikin', points: [[0, 0], [1, 0], [1, 1]] }),
+    Mesh: kw.mesh({ solid: 'cube' }),
+    Solid: kw.solids[0],
     Fit: kw.interpolate({ points: [[0, 0], [1, 1]], degree: 1 }),
     Sphere: kw.enclosingSphere([[0, 0], [1, 1]]),
     FormulaCurve: kw.curve({ type: 'formula-curve', x: 't', y: 't^2', domain: [0, 1] }),
