@@ -51,6 +51,11 @@ void sampleOf(const Family& family, std::span<const double> ts, std::span<double
     for (std::size_t i = 0; i < ts.size(); ++i) out[i] = valueOf(family, ts[i]);
 }
 
+void sampleOf(const Polynomial& family, std::span<const double> ts,
+              std::span<double> out) noexcept {
+    family.sample(ts, out);
+}
+
 void sampleOf(const ExpoRational& family, std::span<const double> ts,
               std::span<double> out) noexcept {
     family.sample(ts, out);

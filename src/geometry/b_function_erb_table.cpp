@@ -180,8 +180,9 @@ void ErbIntegral::placeEnds(double area) noexcept {
 }
 
 // ∫_0^e φ with x = log of e over the point: e φ(e) ∫_0^∞ exp(−x − X(x) + X(0)) dx, whose integrand
-// decays from the start at the rate 1 + X′(0), later at least like exp(−x). Panels that double
-// cover all scales in between.
+// decays from the start at the rate 1 + X′(0), later at least like exp(−x). Where both are large and
+// e is not, it hardly bends, and Gauss–Laguerre misses by 1e-12 at most; elsewhere panels that double
+// cover all scales.
 double ErbIntegral::tailIntegral(double e) const noexcept {
     const double start = side_.density(1 - e, e);
     if (start == 0 || e == 0) return 0;
@@ -189,11 +190,15 @@ double ErbIntegral::tailIntegral(double e) const noexcept {
         const double distance = e * std::exp(-x);
         return distance * side_.density(1 - distance, distance);
     };
-    const double rate =
-        1 + (side_.endPower / (1 - e) + side_.farPower * e / (1 - e)) * -std::log(start);
+    const double exponent = -std::log(start);
+    const double far = side_.farPower * e / (1 - e);
+    const double nearer = 1 - side_.width;  // of the far factor's slope, (1 − L)/(1 − L + L s) is left
+    const double slope = side_.endPower / (1 - e) + far * nearer / (nearer + side_.width * (1 - e));
+    const double rate = 1 + slope * exponent;
+    if (e < 0.5 && std::min(exponent, rate) > 35) return integrateLaguerre(integrand, rate);
     double sum = 0;
     double a = 0;
-    for (double width = 1 / rate;; width *= 2) {
+    for (double width = 1 / (rate + far * exponent);; width *= 2) {
         const double panel = integrateGauss<8>(integrand, a, a + width);
         sum += panel;
         a += width;
@@ -257,11 +262,38 @@ ErbTable::ErbTable(double alpha, double beta, double gamma, double lambda)
     : lambda_(std::max(lambda, 1e-300)),  // below, only t < 1e-300 would feel the difference
       perLeft_(1 / lambda_),
       perRight_(1 / (1 - lambda_)),
+      symmetric_(gamma == 1 && lambda == 0.5),
       left_({beta, alpha, alpha * gamma, lambda_}, ErbIntegral::Tail::exact),
-      right_({beta, alpha * gamma, alpha, 1 - lambda_}, ErbIntegral::Tail::negligible),
+      right_(symmetric_
+                 ? left_.withTail(ErbIntegral::Tail::negligible)
+                 : ErbIntegral({beta, alpha * gamma, alpha, 1 - lambda_},
+                               ErbIntegral::Tail::negligible)),
       scale_(1 / (lambda_ * left_.total() + (1 - lambda_) * right_.total())) {
     left_.multiply(scale_ * lambda_);
     right_.multiply(scale_ * (1 - lambda_));
+    const auto values = [this](double t) { return fine(t); };
+    cells_ = symmetric_ ? Cells::ofSymmetric(values) : Cells::of(lambda_, values);
+}
+
+void ErbTable::sample(std::span<const double> ts, std::span<double> values) const noexcept {
+    std::size_t i = 0;
+    while (i + 2 <= ts.size()) {
+        const Cells::Place place = cells_.find(simd::load(&ts[i]));
+        if (place.first == place.second) {
+            const std::size_t done = cells_.run(place.first, ts.subspan(i), values.subspan(i));
+            i += done;
+            if (done > 0) continue;
+        }
+        const simd::Double2 fast = cells_.at(place);
+        if (simd::areNumbers(fast)) {
+            simd::store(&values[i], fast);
+        } else {
+            values[i] = either(simd::first(fast), ts[i]);
+            values[i + 1] = either(simd::second(fast), ts[i + 1]);
+        }
+        i += 2;
+    }
+    if (i < ts.size()) values[i] = value(ts[i]);
 }
 
 }  // namespace knotwork::b_function

@@ -8,10 +8,14 @@
 // the mass within 1e-14 of λ), and the index is read off the key's exponent bits.
 #pragma once
 
+#include "geometry/b_function_cells.hpp"
+
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace knotwork::b_function {
@@ -77,6 +81,12 @@ public:
         return tail_ == Tail::exact ? scale_ * tailIntegral(e) : 0;
     }
     void multiply(double factor) noexcept;
+    /// The same for the other side of a symmetric function.
+    [[nodiscard]] ErbIntegral withTail(Tail tail) const {
+        ErbIntegral other = *this;
+        other.tail_ = tail;
+        return other;
+    }
 
 private:
     /// Where s φ(s) is largest: a lower bound of the integral.
@@ -109,21 +119,35 @@ class ErbTable {
 public:
     ErbTable(double alpha, double beta, double gamma, double lambda);
 
-    /// 0 < t < 1.
+    /// At any t.
     [[nodiscard]] double value(double t) const noexcept {
-        if (t < lambda_) return left_.at((lambda_ - t) * perLeft_, t * perLeft_);
-        return 1 - right_.at((t - lambda_) * perRight_, (1 - t) * perRight_);
+        return either(simd::first(cells_.at(cells_.find(simd::splat(t)))), t);
     }
+    /// The same of many; the values may take the parameters' places.
+    void sample(std::span<const double> ts, std::span<double> values) const noexcept;
     /// S.
     [[nodiscard]] double scale() const noexcept { return scale_; }
 
 private:
+    /// What the cells have for t, unless that is NaN.
+    [[nodiscard]] double either(double fast, double t) const noexcept {
+        if (!std::isnan(fast)) return fast;
+        return t > 0 ? (t < 1 ? fine(t) : 1) : 0;
+    }
+    /// 0 < t < 1: from the tables that get finer where they must.
+    [[nodiscard]] double fine(double t) const noexcept {
+        if (t < lambda_) return left_.at((lambda_ - t) * perLeft_, t * perLeft_);
+        return 1 - right_.at((t - lambda_) * perRight_, (1 - t) * perRight_);
+    }
+
     double lambda_;
     double perLeft_;
     double perRight_;
+    bool symmetric_;
     ErbIntegral left_;
     ErbIntegral right_;
     double scale_;
+    Cells cells_;  // for most of [0, 1], unless B is a step
 };
 
 }  // namespace knotwork::b_function

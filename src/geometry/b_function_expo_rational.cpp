@@ -60,11 +60,7 @@ ExpoRational::ExpoRational(double alpha, double beta, double gamma, double lambd
 double ExpoRational::value(double t) const noexcept { return table_->value(t); }
 
 void ExpoRational::sample(std::span<const double> ts, std::span<double> values) const noexcept {
-    const ErbTable& table = *table_;
-    for (std::size_t i = 0; i < ts.size(); ++i) {
-        const double t = ts[i];
-        values[i] = t > 0 ? (t < 1 ? table.value(t) : 1) : 0;
-    }
+    table_->sample(ts, values);
 }
 
 // φ is differentiated as exp(−β |t−λ|^p exp(−α (log t + γ log(1−t)))); an even whole p needs no

@@ -1,5 +1,6 @@
 #include "geometry/b_function_families.hpp"
 
+#include "geometry/incomplete_beta.hpp"
 #include "geometry/jet.hpp"
 
 #include <algorithm>
@@ -11,32 +12,6 @@ namespace knotwork::b_function {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int largestPower = 20;  // of the description of `polynomial`
-
-using BinomialRow = std::array<double, largestPower + 1>;
-
-/// binomials[p][i] = C(p+i, i), all exact: the largest is 1.4e11.
-constexpr std::array<BinomialRow, largestPower + 1> binomials = [] {
-    std::array<BinomialRow, largestPower + 1> table{};
-    for (std::size_t p = 0; p <= largestPower; ++p) {
-        table[p][0] = 1;
-        for (std::size_t i = 1; i <= largestPower; ++i) {
-            table[p][i] = p == 0 ? 1 : table[p - 1][i] + table[p][i - 1];
-        }
-    }
-    return table;
-}();
-
-double binomial(int p, int i) noexcept {
-    return binomials[static_cast<std::size_t>(p)][static_cast<std::size_t>(i)];
-}
-
-/// I_t(p+1, q+1) = t^(p+1) Σ_{i≤q} C(p+i, i) s^i with s = 1−t: no term is negative.
-double incompleteBeta(double t, double s, int p, int q) noexcept {
-    double sum = 0;
-    for (int i = q; i >= 0; --i) sum = sum * s + binomial(p, i);
-    return integerPower(t, static_cast<unsigned>(p + 1)) * sum;
-}
 
 int derivativeOrder(std::span<const double> rows) noexcept {
     return static_cast<int>(rows.size()) - 1;
@@ -128,11 +103,6 @@ void Trigonometric::derivatives(double t, std::span<double> rows) const noexcept
     const Jet angle = pi * Jet::variable(right ? 1 - t : t, derivativeOrder(rows) - 1);
     writeSlope(integerPower(sin(angle), static_cast<unsigned>(order)), slope, rows);
     if (right) reflectRows(rows);
-}
-
-double Polynomial::value(double t) const noexcept {
-    const double s = 1 - t;
-    return t <= 0.5 ? incompleteBeta(t, s, p, q) : 1 - incompleteBeta(s, t, q, p);
 }
 
 void Polynomial::derivatives(double t, std::span<double> rows) const noexcept {

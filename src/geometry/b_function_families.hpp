@@ -57,6 +57,8 @@ struct Trigonometric {
 /// B′ = (p+q+1)!/(p!q!) t^p (1−t)^q.
 struct Polynomial {
     [[nodiscard]] double value(double t) const noexcept;
+    /// At any parameters, two at a time; the values may take their places.
+    void sample(std::span<const double> ts, std::span<double> values) const noexcept;
     void derivatives(double t, std::span<double> rows) const noexcept;
     [[nodiscard]] Powers powers() const noexcept { return {p + 1.0, q + 1.0}; }
     [[nodiscard]] bool symmetric() const noexcept { return p == q; }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
@@ -66,9 +67,28 @@ inline void store(double* to, Double2 value) noexcept { wasm_v128_store(to, valu
     return {wasm_v128_bitselect(reached.lanes, before.lanes, wasm_f64x2_ge(a.lanes, b.lanes))};
 }
 
-/// The larger ones of numbers that are no NaN.
+/// The larger and the smaller ones; a where b is no number.
 [[nodiscard]] inline Double2 larger(Double2 a, Double2 b) noexcept {
     return {wasm_f64x2_pmax(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline Double2 smaller(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_pmin(a.lanes, b.lanes)};
+}
+/// Neither is a NaN.
+[[nodiscard]] inline bool areNumbers(Double2 a) noexcept {
+    return wasm_i64x2_all_true(wasm_f64x2_eq(a.lanes, a.lanes));
+}
+/// All four are less than the limit, and none a NaN.
+[[nodiscard]] inline bool areBelow(Double2 a, Double2 b, Double2 limit) noexcept {
+    return wasm_i64x2_all_true(wasm_v128_and(wasm_f64x2_lt(a.lanes, limit.lanes),
+                                             wasm_f64x2_lt(b.lanes, limit.lanes)));
+}
+/// The lowest 32 bits of each.
+[[nodiscard]] inline std::uint32_t firstBits(Double2 a) noexcept {
+    return static_cast<std::uint32_t>(wasm_i32x4_extract_lane(a.lanes, 0));
+}
+[[nodiscard]] inline std::uint32_t secondBits(Double2 a) noexcept {
+    return static_cast<std::uint32_t>(wasm_i32x4_extract_lane(a.lanes, 2));
 }
 [[nodiscard]] inline double first(Double2 a) noexcept {
     return wasm_f64x2_extract_lane(a.lanes, 0);
@@ -132,15 +152,50 @@ inline void store(double* to, Double2 value) noexcept { std::memcpy(to, &value, 
                   a.lanes[1] >= b.lanes[1] ? reached.lanes[1] : before.lanes[1]}};
 }
 
-/// The larger ones of numbers that are no NaN.
+/// The larger and the smaller ones; a where b is no number.
 [[nodiscard]] inline Double2 larger(Double2 a, Double2 b) noexcept {
     return {Lanes{a.lanes[0] < b.lanes[0] ? b.lanes[0] : a.lanes[0],
                   a.lanes[1] < b.lanes[1] ? b.lanes[1] : a.lanes[1]}};
+}
+[[nodiscard]] inline Double2 smaller(Double2 a, Double2 b) noexcept {
+    return {Lanes{b.lanes[0] < a.lanes[0] ? b.lanes[0] : a.lanes[0],
+                  b.lanes[1] < a.lanes[1] ? b.lanes[1] : a.lanes[1]}};
+}
+/// Neither is a NaN.
+[[nodiscard]] inline bool areNumbers(Double2 a) noexcept {
+    return a.lanes[0] == a.lanes[0] && a.lanes[1] == a.lanes[1];
+}
+/// All four are less than the limit, and none a NaN.
+[[nodiscard]] inline bool areBelow(Double2 a, Double2 b, Double2 limit) noexcept {
+    return a.lanes[0] < limit.lanes[0] && a.lanes[1] < limit.lanes[1] &&
+           b.lanes[0] < limit.lanes[0] && b.lanes[1] < limit.lanes[1];
+}
+/// The lowest 32 bits of each.
+[[nodiscard]] inline std::uint32_t firstBits(Double2 a) noexcept {
+    return static_cast<std::uint32_t>(__builtin_bit_cast(std::uint64_t, double{a.lanes[0]}));
+}
+[[nodiscard]] inline std::uint32_t secondBits(Double2 a) noexcept {
+    return static_cast<std::uint32_t>(__builtin_bit_cast(std::uint64_t, double{a.lanes[1]}));
 }
 [[nodiscard]] inline double first(Double2 a) noexcept { return a.lanes[0]; }
 [[nodiscard]] inline double second(Double2 a) noexcept { return a.lanes[1]; }
 
 #endif
+
+/// The nearest whole numbers, also as integers.
+struct Wholes2 {
+    Double2 numbers;
+    std::uint32_t first;
+    std::uint32_t second;
+};
+
+/// Of numbers from 0 to 2^31.
+[[nodiscard]] inline Wholes2 nearestWholes(Double2 a) noexcept {
+    // Next to 2^52 numbers are whole, and their lowest bits count them.
+    const Double2 shift = splat(0x1p52);
+    const Double2 shifted = a + shift;
+    return {shifted - shift, firstBits(shifted), secondBits(shifted)};
+}
 
 /// Two points.
 struct Points2 {

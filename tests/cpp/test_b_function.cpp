@@ -349,6 +349,19 @@ TEST(BFunction, BatchesGiveTheSameValuesAsSingleCalls) {
     }
 }
 
+TEST(BFunction, SamplesOfPolynomialOnesAreTheirValuesForAllPowers) {
+    for (int p = 0; p <= 20; p += 4) {
+        for (int q = 0; q <= 20; q += 5) {
+            const BFunction function = BFunction::makePolynomial(p, q).value();
+            std::vector<double> values(38);
+            function.sampleUniform(values);
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                EXPECT_EQ(values[i], function.value(static_cast<double>(i) / 37)) << p << q << i;
+            }
+        }
+    }
+}
+
 TEST(BFunction, UniformSamplesIncludeBothEnds) {
     std::vector<double> values(5);
     BFunction().sampleUniform(values);

@@ -148,8 +148,58 @@ TEST(ExpoRational, TheFarTailKeepsItsRelativeAccuracyUntilItVanishes) {
     EXPECT_EQ(function.value(3e-4), 0);  // below the smallest number
 }
 
+TEST(ExpoRational, OtherFarTailsKeepTheirRelativeAccuracyToo) {
+    for (const Parameters& p : {Parameters{2, 1, 1, 0.5}, Parameters{1.3, 2, 0.6, 0.3},
+                                Parameters{0.3, 60, 1, 0.5}, Parameters{0.1, 90, 4, 0.6},
+                                Parameters{4, 0.5, 4, 0.4}}) {
+        const BFunction function = p.make();
+        const SlowExpoRational slow(p);
+        int tested = 0;
+        for (double t = p.lambda; t > 1e-9; t *= 0.7) {
+            const long double expected = slow.value(t);
+            if (expected > 1e-3L || expected < 1e-290L) continue;
+            EXPECT_NEAR(static_cast<double>(function.value(t) / expected), 1, gates::erbTail)
+                << p.text() << " at " << t;
+            ++tested;
+        }
+        EXPECT_GT(tested, 2) << p.text();
+    }
+}
+
+TEST(ExpoRational, DenseSamplesInPlaceAreTheValues) {
+    // More than one to a cell, and long enough for runs within one.
+    for (const Parameters& p : {Parameters{}, Parameters{2, 1, 1, 0.5}, Parameters{1.3, 2, 0.6, 0.3},
+                                Parameters{1, 100, 1, 0.5}, Parameters{0.01, 100, 4, 0.3}}) {
+        const BFunction function = p.make();
+        for (const std::size_t count : {300u, 1025u, 6001u}) {
+            std::vector<double> values(count);
+            function.sampleUniform(values);
+            for (std::size_t i = 0; i < count; ++i) {
+                const double t = static_cast<double>(i) / static_cast<double>(count - 1);
+                ASSERT_EQ(values[i], function.value(t)) << p.text() << " at " << t;
+            }
+        }
+    }
+}
+
+TEST(ExpoRational, WhatStandsAmongDenseSamplesAndIsOutsideOrNoNumberIsStillZeroOrOne) {
+    std::vector<double> ts(64, 0.4);
+    ts[5] = std::nan("");
+    ts[10] = -0.3;
+    ts[19] = 1.7;
+    ts[32] = 0.7;
+    const BFunction function = Parameters{}.make();
+    std::vector<double> values(ts.size());
+    function.sample(ts, values);
+    for (std::size_t i = 0; i < ts.size(); ++i) EXPECT_EQ(values[i], function.value(ts[i])) << i;
+    EXPECT_EQ(values[5], 0);
+    EXPECT_EQ(values[10], 0);
+    EXPECT_EQ(values[19], 1);
+}
+
 TEST(ExpoRational, ValuesAreContinuousWhereTheTablesMeet) {
-    // Octave eighths of the distance to λ and to either end, and λ itself.
+    // Octave eighths of the distance to λ and to either end, λ itself, and where it is divided
+    // evenly on both sides.
     for (const Parameters& p :
          {Parameters{}, Parameters{1.3, 2, 0.6, 0.3}, Parameters{4, 9, 4, 0.8}}) {
         const BFunction function = p.make();
@@ -161,6 +211,10 @@ TEST(ExpoRational, ValuesAreContinuousWhereTheTablesMeet) {
                                {p.lambda * part, p.lambda * (1 - part),
                                 p.lambda + (1 - p.lambda) * part, 1 - (1 - p.lambda) * part});
             }
+        }
+        for (int i = 1; i < 256; ++i) {
+            borders.insert(borders.end(),
+                           {p.lambda * i / 256, p.lambda + (1 - p.lambda) * i / 256});
         }
         for (const double t : borders) {
             const double jump =
