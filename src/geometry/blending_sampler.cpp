@@ -16,7 +16,7 @@ constexpr std::size_t noSampler = std::numeric_limits<std::size_t>::max();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // With room for the kernels to read whole groups of four.
-using Block = std::array<double, blockSize + 6>;
+using Block = std::array<double, blockSize + 4>;
 
 /// The degree of a curve that is one polynomial, small enough for the power form; otherwise 0.
 std::size_t polynomialDegree(const Curve& curve) noexcept {
@@ -57,6 +57,23 @@ inline double rowAt(const Rows4& map, std::size_t row, double x, double y, doubl
     return m[0] * x + m[1] * y + m[2] * z + m[3];
 }
 
+/// How many of the first parameters lie in [start, end).
+std::size_t leading(std::span<const double> ts, double start, double end) noexcept {
+    simd::Double2 least = simd::splat(ts.front());
+    simd::Double2 largest = simd::splat(ts.back());
+    for (std::size_t i = 0; i + 2 <= ts.size(); i += 2) {
+        const simd::Double2 t = simd::load(&ts[i]);
+        least = simd::smaller(least, t);
+        largest = simd::larger(largest, t);
+    }
+    // Most often all of them do.
+    const bool all = std::min({simd::first(least), simd::second(least), ts.back()}) >= start &&
+                     std::max({simd::first(largest), simd::second(largest), ts.front()}) < end;
+    if (all) return ts.size();
+    const auto inside = [=](double t) { return start <= t && t < end; };
+    return static_cast<std::size_t>(std::find_if_not(ts.begin(), ts.end(), inside) - ts.begin());
+}
+
 void store(const Vec3& point, double* xyz) noexcept {
     xyz[0] = point.x;
     xyz[1] = point.y;
@@ -65,10 +82,10 @@ void store(const Vec3& point, double* xyz) noexcept {
 
 }  // namespace
 
-// A run of parameters in one piece.
+// Parameters that follow each other in one piece.
 struct BlendingSampler::Run {
-    std::size_t count = 0;
-    Block ts;
+    std::span<const double> ts{};
+    Block us;       // in [-1, 1] where polynomials are blended
     Block weights;  // w at first, then B(w)
 };
 
@@ -144,31 +161,27 @@ const BlendingSampler::Piece& BlendingSampler::pieceAt(double t) const noexcept 
     return *(after - 1);
 }
 
-/// Gathers one piece's parameters from `first` on, at most `most` of them. Null where a parameter
+/// The piece of the first parameter, and in the run all that follow it there. Null where a parameter
 /// stands alone: both ends are met exactly, and what lies outside a closed curve is wrapped.
-const BlendingSampler::Piece* BlendingSampler::fill(std::span<const double> ts, std::size_t first,
-                                                    std::size_t most, Run& run) const noexcept {
+const BlendingSampler::Piece* BlendingSampler::begin(std::span<const double> ts,
+                                                     Run& run) const noexcept {
     const Interval whole = curve_.domain();
-    const double t = ts[first];
-    run.count = 1;
+    const double t = ts.front();
+    run.ts = ts.first(1);
     if (t == whole.start || t == whole.end || (curve_.closed() && !whole.contains(t))) {
         return nullptr;
     }
     const Piece& piece = pieceAt(t);
-    const double end = std::min(piece.end, whole.end);
-    for (most = std::min(most, ts.size() - first); run.count < most; ++run.count) {
-        const double next = ts[first + run.count];
-        if (!(piece.start <= next && next < end)) break;
-    }
-    std::copy_n(&ts[first], run.count, run.ts.begin());
-    std::fill_n(&run.ts[run.count], 4, piece.span.start);
+    const std::size_t count = leading(ts, piece.start, std::min(piece.end, whole.end));
+    run.ts = ts.first(std::max<std::size_t>(count, 1));  // what lies outside comes one by one
     return &piece;
 }
 
 void BlendingSampler::points(std::span<const double> ts, std::span<double> xyz) const noexcept {
     Run run;
-    for (std::size_t i = 0; i < ts.size(); i += run.count) {
-        if (const Piece* piece = fill(ts, i, blockSize, run)) {
+    for (std::size_t i = 0; i < ts.size(); i += run.ts.size()) {
+        const auto next = ts.subspan(i, std::min(blockSize, ts.size() - i));
+        if (const Piece* piece = begin(next, run)) {
             blend(*piece, run, &xyz[3 * i]);
             continue;
         }
@@ -181,25 +194,33 @@ void BlendingSampler::points(std::span<const double> ts, std::span<double> xyz) 
 
 void BlendingSampler::blend(const Piece& piece, Run& run, double* xyz) const noexcept {
     if (piece.method == Method::one) return local(piece.span.first, 0, run, xyz);
-    const simd::Double2 start = simd::splat(piece.span.start);
-    const simd::Double2 perLength = simd::splat(1 / piece.span.length);
-    // Of polynomials u = 2w − 1 takes the place of t, which is no longer needed.
-    const bool polynomials = piece.method == Method::polynomials;
-    for (std::size_t i = 0; i < run.count + 4; i += 2) {
-        const simd::Double2 w = (simd::load(&run.ts[i]) - start) * perLength;
-        simd::store(&run.weights[i], w);
-        if (polynomials) simd::store(&run.ts[i], simd::splat(2) * w - simd::splat(1));
-    }
-    const std::span<double> weights(run.weights.data(), run.count);
+    locate(piece, run);
+    const std::span<double> weights(run.weights.data(), run.ts.size());
     curve_.blend().sample(weights, weights);
     if (piece.method == Method::placements) return placements(piece, run, xyz);
     if (piece.method == Method::any) return any(piece, run, xyz);
     const double* c = &coefficients_[piece.offset];
     if (components_ == 2) {
-        kernels::blendBlock<2>(c, piece.degree, run.ts.data(), run.weights.data(), run.count, xyz);
+        kernels::blendBlock<2>(c, piece.degree, run.us.data(), run.weights.data(), run.ts.size(),
+                               xyz);
     } else {
-        kernels::blendBlock<3>(c, piece.degree, run.ts.data(), run.weights.data(), run.count, xyz);
+        kernels::blendBlock<3>(c, piece.degree, run.us.data(), run.weights.data(), run.ts.size(),
+                               xyz);
     }
+}
+
+/// w in [0, 1] and u = 2w − 1 for every t of the run.
+void BlendingSampler::locate(const Piece& piece, Run& run) const noexcept {
+    const simd::Double2 start = simd::splat(piece.span.start);
+    const simd::Double2 perLength = simd::splat(1 / piece.span.length);
+    const auto put = [&](std::size_t i, simd::Double2 t) {
+        const simd::Double2 w = (t - start) * perLength;
+        simd::store(&run.weights[i], w);
+        simd::store(&run.us[i], w + w - simd::splat(1));
+    };
+    std::size_t i = 0;
+    for (; i + 2 <= run.ts.size(); i += 2) put(i, simd::load(&run.ts[i]));
+    for (; i % 4 != 0 || i < run.ts.size(); i += 2) put(i, simd::splat(run.ts.back()));
 }
 
 /// The source of local j at t − shift for every t of the run, not posed.
@@ -207,13 +228,13 @@ void BlendingSampler::local(std::size_t j, double shift, const Run& run,
                             double* xyz) const noexcept {
     const LocalCurve& curve = curve_.locals()[j];
     Block parameters;
-    for (std::size_t i = 0; i < run.count; ++i) {
+    for (std::size_t i = 0; i < run.ts.size(); ++i) {
         parameters[i] = curve.sourceParameter(run.ts[i] - shift);
     }
-    samplers_[samplerOf_[j]].at({parameters.data(), run.count}, 0, {xyz, 3 * run.count});
+    samplers_[samplerOf_[j]].at({parameters.data(), run.ts.size()}, 0, {xyz, 3 * run.ts.size()});
     if (curve.pose().isIdentity()) return;
     const Rows4 placement = rowsOf(curve.placement());
-    for (double* at = xyz; at != xyz + 3 * run.count; at += 3) {
+    for (double* at = xyz; at != xyz + 3 * run.ts.size(); at += 3) {
         const double x = at[0];
         const double y = at[1];
         const double z = at[2];
@@ -228,10 +249,10 @@ void BlendingSampler::placements(const Piece& piece, Run& run, double* xyz) cons
     Rows4 step;
     for (std::size_t k = 0; k < step.size(); ++k) step[k] = to[k] - from[k];
     Block parameters;
-    for (std::size_t i = 0; i < run.count; ++i) parameters[i] = first.sourceParameter(run.ts[i]);
-    samplers_[samplerOf_[piece.span.first]].at({parameters.data(), run.count}, 0,
-                                               {xyz, 3 * run.count});
-    for (std::size_t i = 0; i < run.count; ++i) {
+    for (std::size_t i = 0; i < run.ts.size(); ++i) parameters[i] = first.sourceParameter(run.ts[i]);
+    samplers_[samplerOf_[piece.span.first]].at({parameters.data(), run.ts.size()}, 0,
+                                               {xyz, 3 * run.ts.size()});
+    for (std::size_t i = 0; i < run.ts.size(); ++i) {
         double* at = xyz + 3 * i;
         const double x = at[0];
         const double y = at[1];
@@ -246,7 +267,7 @@ void BlendingSampler::any(const Piece& piece, Run& run, double* xyz) const noexc
     std::array<double, 3 * blockSize> others;
     local(piece.span.first, 0, run, xyz);
     local(piece.span.second, piece.span.shift, run, others.data());
-    for (std::size_t i = 0; i < run.count; ++i) {
+    for (std::size_t i = 0; i < run.ts.size(); ++i) {
         const double weight = run.weights[i];
         for (std::size_t axis = 3 * i; axis < 3 * i + 3; ++axis) {
             xyz[axis] = (1 - weight) * xyz[axis] + weight * others[axis];
@@ -276,8 +297,9 @@ void BlendingSampler::rows(std::span<const double> ts, int derivatives,
                            std::span<double> xyz) const noexcept {
     const std::size_t orders = static_cast<std::size_t>(derivatives) + 1;
     Run run;
-    for (std::size_t i = 0; i < ts.size(); i += run.count) {
-        if (const Piece* piece = fill(ts, i, rowBlock, run)) {
+    for (std::size_t i = 0; i < ts.size(); i += run.ts.size()) {
+        const auto next = ts.subspan(i, std::min(rowBlock, ts.size() - i));
+        if (const Piece* piece = begin(next, run)) {
             blendRows(*piece, run, orders, 3 * ts.size(), &xyz[3 * i]);
             continue;
         }
@@ -291,7 +313,7 @@ void BlendingSampler::rows(std::span<const double> ts, int derivatives,
 /// C^(j) = c^(j) + Σ binomial(j, l) B^(l) h^(−l) (c_next − c)^(j−l).
 void BlendingSampler::blendRows(const Piece& piece, const Run& run, std::size_t orders,
                                 std::size_t stride, double* xyz) const noexcept {
-    const std::size_t n = run.count;
+    const std::size_t n = run.ts.size();
     std::array<double, rowBlock> ws;
     std::array<double, mostOrders * rowBlock> b;
     for (std::size_t i = 0; i < n; ++i) ws[i] = (run.ts[i] - piece.span.start) / piece.span.length;
@@ -328,7 +350,7 @@ void BlendingSampler::blendRows(const Piece& piece, const Run& run, std::size_t 
 void BlendingSampler::localRows(std::size_t j, double shift, const Run& run, std::size_t orders,
                                 Rows& rows) const noexcept {
     const LocalCurve& curve = curve_.locals()[j];
-    const std::size_t n = run.count;
+    const std::size_t n = run.ts.size();
     std::array<double, rowBlock> parameters;
     for (std::size_t i = 0; i < n; ++i) parameters[i] = curve.sourceParameter(run.ts[i] - shift);
     samplers_[samplerOf_[j]].at({parameters.data(), n}, static_cast<int>(orders) - 1,
@@ -350,7 +372,7 @@ void BlendingSampler::localRows(std::size_t j, double shift, const Run& run, std
 /// Horner's rule with derivatives, for P and Q − P at once.
 void BlendingSampler::polynomialRows(const Piece& piece, const Run& run, std::size_t orders,
                                      Rows& first, Rows& step) const noexcept {
-    const std::size_t n = run.count;
+    const std::size_t n = run.ts.size();
     const double perHalf = 2 / piece.span.length;
     const double* c = &coefficients_[piece.offset];
     const std::size_t width = 2 * components_;

@@ -51,8 +51,8 @@ private:
     void addPolynomials(const BlendingCurve::Span& span, Piece& piece);
     std::size_t samplerOf(std::size_t local);
     [[nodiscard]] const Piece& pieceAt(double t) const noexcept;
-    [[nodiscard]] const Piece* fill(std::span<const double> ts, std::size_t first, std::size_t most,
-                                    Run& run) const noexcept;
+    [[nodiscard]] const Piece* begin(std::span<const double> ts, Run& run) const noexcept;
+    void locate(const Piece& piece, Run& run) const noexcept;
     void blend(const Piece& piece, Run& run, double* xyz) const noexcept;
     void placements(const Piece& piece, Run& run, double* xyz) const noexcept;
     void any(const Piece& piece, Run& run, double* xyz) const noexcept;
