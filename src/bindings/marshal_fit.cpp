@@ -65,6 +65,7 @@ struct Packed {
     Json rest = Json::object();
     std::optional<std::vector<Vec3>> points{};
     std::optional<std::vector<double>> parameters{};
+    std::optional<std::vector<double>> knots{};
 };
 
 bool takePoints(const CborItem& item, Packed& packed) {
@@ -74,11 +75,17 @@ bool takePoints(const CborItem& item, Packed& packed) {
     return true;
 }
 
-bool takeParameters(const CborItem& item, Packed& packed) {
+bool takeNumbers(const CborItem& item, std::optional<std::vector<double>>& list) {
     std::vector<double> numbers;
     if (!readNumbers(item, maxDataCount, numbers)) return false;
-    packed.parameters = std::move(numbers);
+    list = std::move(numbers);
     return true;
+}
+
+bool take(std::string_view key, const CborItem& item, Packed& packed) {
+    if (key == "points") return takePoints(item, packed);
+    if (key == "parameters") return takeNumbers(item, packed.parameters);
+    return key == "knots" && takeNumbers(item, packed.knots);
 }
 
 Result<Packed> unpack(std::span<const std::uint8_t> bytes) {
@@ -89,10 +96,9 @@ Result<Packed> unpack(std::span<const std::uint8_t> bytes) {
         const CborItem key = cursor.next();
         if (key.kind == CborItem::Kind::close) return packed;
         const CborItem item = cursor.next();
-        const bool taken = (key.text() == "points" && takePoints(item, packed)) ||
-                           (key.text() == "parameters" && takeParameters(item, packed));
         Json value = Json::array();
-        whole = key.kind == CborItem::Kind::text && (taken || readValue(cursor, item, value));
+        whole = key.kind == CborItem::Kind::text &&
+                (take(key.text(), item, packed) || readValue(cursor, item, value));
         packed.rest[std::string(key.text())] = std::move(value);
     }
     // No object, then: the tables say so.
@@ -146,7 +152,7 @@ Result<FitInput> readRequest(std::span<const std::uint8_t> bytes, std::span<cons
     request.options.smoothing = scene::numberOr(*fields, "smoothing", 0);
     request.options.interpolateEnds = scene::flagOr(*fields, "interpolateEnds", false);
     if (const Json* knots = scene::member(*fields, "knots")) {
-        request.knots = scene::numbersOf(*knots);
+        request.knots = packed->knots ? *std::move(packed->knots) : scene::numbersOf(*knots);
         if (request.knots.empty()) {
             return refuse(Code::knotsCount, "knots",
                           "the list of knots is empty; leave it out for the default knots");

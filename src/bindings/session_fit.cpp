@@ -18,9 +18,9 @@ int Session::holdFit(Fit fit) {
 
 int Session::fit(unsigned bytes) {
     const auto given = inputBytes(bytes);
-    const auto input = readFit(given);
+    auto input = readFit(given);
     if (!input) return refuse(input.error());
-    auto fit = fitCurve(input->points, input->request);
+    auto fit = fitCurve(input->points, std::move(input->request));
     return fit ? holdFit(std::move(*fit)) : refuse(placedInFit(fit.error(), given));
 }
 

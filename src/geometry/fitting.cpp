@@ -35,14 +35,14 @@ MaybeError checkSizes(int degree, int count) {
     return {};
 }
 
-Result<std::vector<double>> parametersFor(std::span<const Vec3> points, const Parameters& given,
+Result<std::vector<double>> parametersFor(std::span<const Vec3> points, Parameters given,
                                           Form form) {
     if (const auto* how = std::get_if<Parametrisation>(&given)) {
         return parametersOf(points, *how, form == Form::closed);
     }
-    const auto& own = std::get<std::vector<double>>(given);
+    auto& own = std::get<std::vector<double>>(given);
     if (auto error = checkParameters(own, points.size())) return *error;
-    return own;
+    return std::move(own);
 }
 
 /// The second of two data so close that knots between them would not be told apart.
@@ -83,14 +83,14 @@ Result<KnotVector> defaultKnots(std::span<const double> parameters, const FitReq
 
 }  // namespace
 
-Result<Fit> fitCurve(std::span<const Vec3> points, const FitRequest& request) {
+Result<Fit> fitCurve(std::span<const Vec3> points, FitRequest request) {
     if (auto error = checkSizes(request.degree, request.count)) return *error;
     if (auto error = checkFit(points, request.options, request.form == Form::closed)) return *error;
-    auto parameters = parametersFor(points, request.parameters, request.form);
+    auto parameters = parametersFor(points, std::move(request.parameters), request.form);
     if (!parameters) return parameters.error();
     const auto knots = request.knots.empty()
                            ? defaultKnots(*parameters, request)
-                           : KnotVector::make(request.knots, request.degree, request.count,
+                           : KnotVector::make(std::move(request.knots), request.degree, request.count,
                                               request.form);
     if (!knots) return knots.error();
     if (auto error = checkInside(*parameters, knots->domain())) return *error;

@@ -38,7 +38,7 @@ struct Fit {
 /// parametersOf() and KnotVector::make() refuse, a count of no more than the degree (OUT_OF_RANGE
 /// `count`) or of more than 100 000 (TOO_LARGE), and parameters of one's own that span less than
 /// 1e-6 where knots are to be made for them (OUT_OF_RANGE `parameters`).
-[[nodiscard]] Result<Fit> fitCurve(std::span<const Vec3> points, const FitRequest& request);
+[[nodiscard]] Result<Fit> fitCurve(std::span<const Vec3> points, FitRequest request);
 
 /// The curve through all the points, one control point each: fitCurve() with as many control
 /// points as points, averagedKnots() and no smoothing. WRONG_LENGTH `points` for no more of them

@@ -171,22 +171,44 @@ bool SpanRows::condense(std::size_t span, std::span<const double> parameters,
     return true;
 }
 
-// Coefficients from the values at the d+1 Chebyshev nodes, where the polynomials are orthogonal.
+// Coefficients from the values at the d+1 Chebyshev nodes, where the polynomials are orthogonal. All
+// nodes go through the recurrence of kernels::basis() together, so that it divides once for them all.
 template <std::size_t Fixed>
 void SpanRows::expandBasis(std::size_t span) {
     const std::size_t terms = Fixed > 0 ? Fixed + 1 : terms_;
     constexpr std::size_t room = Fixed > 0 ? Fixed + 1 : mostTerms;
+    constexpr std::size_t roomOfPairs = (room + 1) / 2;
     prepareCosines();
+    const std::size_t pairs = (terms + 1) / 2;
     const std::span<const double> t = knots_.extended();
     const double half = (t[span + 1] - t[span]) / 2;
-    std::fill(basis_.begin(), basis_.end(), 0.0);
-    std::array<double, room> values{};
-    for (std::size_t q = 0; q < terms; ++q) {
-        kernels::basis(t, terms - 1, span, t[span] + half + half * nodes_[q],
-                       std::span<double>(values));
-        for (std::size_t k = 0; k < terms; ++k) {
-            const double share = shares_[k * terms + q];
-            for (std::size_t j = 0; j < terms; ++j) basis_[k * terms + j] += share * values[j];
+    const Double2 one = simd::splat(1);
+    std::array<Double2, roomOfPairs> at;
+    std::array<std::array<Double2, roomOfPairs>, room> values;
+    for (std::size_t q = 0; q < pairs; ++q) {
+        at[q] = simd::splat(t[span] + half) + simd::splat(half) * simd::load(&nodes_[2 * q]);
+    }
+    values[0].fill(one);
+    for (std::size_t k = 1; k < terms; ++k) {
+        values[k].fill(simd::splat(0));
+        for (std::size_t j = k; j-- > 0;) {
+            const std::size_t i = span + 1 + j - k;
+            const Double2 start = simd::splat(t[i]);
+            const Double2 inverse = simd::splat(1 / (t[i + k] - t[i]));
+            for (std::size_t q = 0; q < pairs; ++q) {
+                const Double2 upper = (at[q] - start) * inverse * values[j][q];
+                values[j + 1][q] = values[j + 1][q] + upper;
+                values[j][q] = values[j][q] - upper;
+            }
+        }
+    }
+    for (std::size_t k = 0; k < terms; ++k) {
+        for (std::size_t j = 0; j < terms; ++j) {
+            Double2 sum = simd::splat(0);
+            for (std::size_t q = 0; q < pairs; ++q) {
+                sum = sum + simd::load(&shares_[2 * (k * pairs + q)]) * values[j][q];
+            }
+            basis_[k * terms + j] = simd::first(sum) + simd::second(sum);
         }
     }
 }
@@ -194,14 +216,15 @@ void SpanRows::expandBasis(std::size_t span) {
 void SpanRows::prepareCosines() {
     if (!nodes_.empty()) return;
     const double count = static_cast<double>(terms_);
-    nodes_.resize(terms_);
-    shares_.resize(terms_ * terms_);
+    const std::size_t even = terms_ + terms_ % 2;
+    nodes_.resize(even);
+    shares_.resize(terms_ * even);
     basis_.resize(terms_ * terms_);
     for (std::size_t q = 0; q < terms_; ++q) {
         const double angle = std::numbers::pi * (static_cast<double>(q) + 0.5) / count;
         nodes_[q] = std::cos(angle);
         for (std::size_t k = 0; k < terms_; ++k) {
-            shares_[k * terms_ + q] =
+            shares_[k * even + q] =
                 (k == 0 ? 1 : 2) * std::cos(static_cast<double>(k) * angle) / count;
         }
     }

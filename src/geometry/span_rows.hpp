@@ -44,8 +44,8 @@ private:
 
     const KnotVector& knots_;
     std::size_t terms_;           // d+1
-    std::vector<double> nodes_;   // of Chebyshev, d+1 of them
-    std::vector<double> shares_;  // of a value at node q in coefficient k: k · terms + q
+    std::vector<double> nodes_;   // of Chebyshev, d+1 of them, and one at 0 where that is odd
+    std::vector<double> shares_;  // of a value at node q in coefficient k: k · nodes + q
     std::vector<double> basis_;   // M: coefficient k of function j at k · terms + j
     std::vector<double> rows_;
 };
