@@ -185,29 +185,8 @@ Result<BlendingCurve> BlendingCurve::fromLocals(std::vector<Curve> sources, Blen
     return BlendingCurve(nullptr, std::move(locals), form, std::move(blend), std::move(knots));
 }
 
-BlendingCurve::Span BlendingCurve::spanAt(double t, Side side) const noexcept {
-    const double from = knots_.front();
-    const double to = knots_.back();
-    const double period = to - from;
-    if (closed()) {
-        const bool inside = side == Side::right ? from <= t && t < to : from < t && t <= to;
-        if (!inside) {
-            t -= period * std::floor((t - from) / period);
-            if (side == Side::right && t >= to) t = from;
-            if (side == Side::left && t <= from) t = to;
-        }
-    }
-    const auto begin = knots_.begin();
-    auto after = side == Side::right ? std::upper_bound(begin, knots_.end(), t)
-                                     : std::lower_bound(begin, knots_.end(), t);
-    std::size_t end = std::clamp<std::size_t>(static_cast<std::size_t>(after - begin), 1,
-                                              knots_.size() - 1);
-    // Only at the two ends can the span found be empty (a double end knot): go inwards.
-    while (knots_[end] == knots_[end - 1] && knots_[end] < to) ++end;
-    while (knots_[end] == knots_[end - 1]) --end;
-    const bool wraps = closed() && end == locals_->size();
-    return {end - 1, wraps ? 0 : end, knots_[end - 1], knots_[end] - knots_[end - 1],
-            wraps ? period : 0, t};
+BlendingSpan BlendingCurve::spanAt(double t, Side side) const noexcept {
+    return blendingSpan(knots_, form_, t, side);
 }
 
 void BlendingCurve::evaluate(double t, Side side, std::span<Vec3> rows) const noexcept {

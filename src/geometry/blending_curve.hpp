@@ -73,16 +73,8 @@ public:
 
     [[nodiscard]] BlendingCurve withPoses(std::span<const Pose> poses) const;
 
-    /// Where t falls: between local `first`, centred at `start`, and local `second`, which is
-    /// evaluated at t − shift (the period for a closed curve's wrapped local, otherwise 0).
-    struct Span {
-        std::size_t first = 0;
-        std::size_t second = 0;
-        double start = 0;
-        double length = 1;
-        double shift = 0;
-        double t = 0;  ///< wrapped into the domain
-    };
+    using Span = BlendingSpan;
+    /// Where t falls.
     [[nodiscard]] Span spanAt(double t, Side side) const noexcept;
 
 private:

@@ -75,8 +75,8 @@ Result<Done> checkBlendingKnots(std::span<const double> knots, std::size_t count
                               knots[needed - 1] == knots[needed - 2];
     if (seamIsDouble) {
         return refuse(Code::knotsMultiplicity, indexed("knots", needed - 1),
-                      "The seam of a closed curve is one knot: it is doubled at both ends, which "
-                      "makes three equal knots.");
+                      "The seam is one knot where the form is closed: it is doubled at both ends, "
+                      "which makes three equal knots.");
     }
     return checkGaps(knots);
 }
@@ -105,6 +105,34 @@ Interval blendingDomain(std::span<const double> knots, std::size_t j, BlendForm 
 
 Side blendingSide(std::span<const double> knots, std::size_t j) noexcept {
     return j + 1 == knots.size() || knots[j + 1] == knots[j] ? Side::left : Side::right;
+}
+
+BlendingSpan blendingSpan(std::span<const double> knots, BlendForm form, double t,
+                          Side side) noexcept {
+    const double from = knots.front();
+    const double to = knots.back();
+    const double period = to - from;
+    if (form == BlendForm::closed) {
+        const bool inside = side == Side::right ? from <= t && t < to : from < t && t <= to;
+        if (!inside) {
+            // The other end is met exactly, whatever rounding makes of the period.
+            const double end = side == Side::right ? to : from;
+            if (t != end) t -= period * std::floor((t - from) / period);
+            if (side == Side::right && t >= to) t = from;
+            if (side == Side::left && t <= from) t = to;
+        }
+    }
+    const auto begin = knots.begin();
+    const auto after = side == Side::right ? std::upper_bound(begin, knots.end(), t)
+                                           : std::lower_bound(begin, knots.end(), t);
+    std::size_t end = std::clamp<std::size_t>(static_cast<std::size_t>(after - begin), 1,
+                                              knots.size() - 1);
+    // Only at the two ends can the span found be empty (a double end knot): go inwards.
+    while (knots[end] == knots[end - 1] && knots[end] < to) ++end;
+    while (knots[end] == knots[end - 1]) --end;
+    const bool wraps = form == BlendForm::closed && end + 1 == knots.size();
+    return {end - 1, wraps ? 0 : end, knots[end - 1], knots[end] - knots[end - 1],
+            wraps ? period : 0, t};
 }
 
 }  // namespace knotwork

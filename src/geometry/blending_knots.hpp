@@ -1,6 +1,7 @@
-// The knots of blending curves: what is allowed, and where each local curve takes part.
+// The knots of blending curves, and of blending surfaces along each of their directions: what is
+// allowed, where each local takes part, and between which locals a parameter lies.
 //
-// n knots t_0 … t_{n−1} where open, one for each local curve; one more, t_n = t_0 + T, where closed.
+// n knots t_0 … t_{n−1} where open, one for each local; one more, t_n = t_0 + T, where closed.
 #pragma once
 
 #include "geometry/interval.hpp"
@@ -39,5 +40,24 @@ enum class BlendForm { open, closed };
 /// From where the local curve is seen at its knot: from the right, but from the left where nothing
 /// of it is on the right (the last one of an open curve, the first one of a break).
 [[nodiscard]] Side blendingSide(std::span<const double> knots, std::size_t j) noexcept;
+
+/// Where t falls: between local `first`, centred at `start`, and local `second`, which is evaluated
+/// at t − shift (the period for a closed form's wrapped local, otherwise 0).
+struct BlendingSpan {
+    std::size_t first = 0;
+    std::size_t second = 0;
+    double start = 0;
+    double length = 1;
+    double shift = 0;
+    double t = 0;  ///< wrapped into the domain
+
+    /// 0 at the first local's knot, 1 at the second's.
+    [[nodiscard]] double ratio() const noexcept { return (t - start) / length; }
+};
+
+/// For any t: where closed it is wrapped, where open the end spans go on. At a knot the span on that
+/// side; never one without length. O(log n).
+[[nodiscard]] BlendingSpan blendingSpan(std::span<const double> knots, BlendForm form, double t,
+                                        Side side) noexcept;
 
 }  // namespace knotwork

@@ -54,7 +54,7 @@ Mat3 rotation(const Vec3& axis, double angle) noexcept {
 }
 
 Affine affineOf(const Pose& pose, const Vec3& origin) noexcept {
-    if (pose.isIdentity()) return {};
+    if (pose.angle == 0 && pose.scale == Vec3(1.0)) return {Mat3(1.0), pose.translate};
     Mat3 linear = rotation(pose.axis, pose.angle);
     for (int column = 0; column < 3; ++column) linear[column] *= pose.scale[column];
     return {linear, origin + pose.translate - linear * origin};

@@ -6,6 +6,7 @@
 // shared.
 #pragma once
 
+#include "geometry/blending_surface.hpp"
 #include "geometry/bspline_surface.hpp"
 #include "geometry/parametric_surface.hpp"
 #include "geometry/result.hpp"
@@ -22,7 +23,7 @@ namespace knotwork {
 
 class Surface {
 public:
-    using Kind = std::variant<BsplineSurface, ParametricSurface>;
+    using Kind = std::variant<BsplineSurface, ParametricSurface, BlendingSurface>;
 
     /// Of any of the kinds.
     template <class T>

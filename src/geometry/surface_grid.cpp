@@ -1,5 +1,6 @@
 #include "geometry/surface_grid.hpp"
 
+#include "geometry/blending_grid.hpp"
 #include "geometry/bspline_grid.hpp"
 #include "geometry/polynomial_piece.hpp"
 #include "geometry/surface_differential.hpp"
@@ -71,7 +72,8 @@ private:
     std::vector<std::size_t> unclear_;
 };
 
-using Rows = std::variant<PolynomialGrid, TensorGrid, ProductGrid>;
+using Rows = std::variant<PolynomialGrid, TensorGrid, ProductGrid, BlendedPolynomialGrid,
+                          BlendedModelGrid, BlendedPointGrid>;
 
 Rows rowsOf(const BsplineSurface& spline, const GridLine& u, const GridLine& v) {
     const auto degree = static_cast<std::size_t>(spline.knotsV().degree());
@@ -84,6 +86,12 @@ Rows rowsOf(const BsplineSurface& spline, const GridLine& u, const GridLine& v) 
 
 Rows rowsOf(const ParametricSurface& model, const GridLine& u, const GridLine& v) {
     return ProductGrid(model, u, v);
+}
+
+Rows rowsOf(const BlendingSurface& blend, const GridLine& u, const GridLine& v) {
+    if (BlendedPolynomialGrid::suits(blend)) return BlendedPolynomialGrid(blend, u, v);
+    if (BlendedModelGrid::suits(blend)) return BlendedModelGrid(blend, u, v);
+    return BlendedPointGrid(blend, u, v);
 }
 
 }  // namespace
