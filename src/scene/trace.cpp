@@ -2,6 +2,7 @@
 
 #include "scene/json_values.hpp"
 #include "scene/specs.hpp"
+#include "scene/surface_specs.hpp"
 #include "scene/trace_algorithms.hpp"
 #include "scene/validation.hpp"
 
@@ -28,6 +29,14 @@ constexpr std::array parameterFields{
     algorithmField, curveField,
     Field{.name = "t", .label = "Parameter", .kind = FieldKind::number,
           .help = "Where the curve is evaluated.", .required = true}};
+constexpr std::array placeFields{
+    algorithmField,
+    Field{.name = "surface", .label = "Surface", .kind = FieldKind::surface,
+          .help = "The surface that the algorithm works on.", .required = true},
+    Field{.name = "u", .label = "u", .kind = FieldKind::number,
+          .help = "Where the surface is evaluated.", .required = true},
+    Field{.name = "v", .label = "v", .kind = FieldKind::number,
+          .help = "Where the surface is evaluated.", .required = true}};
 constexpr std::array knotFields{
     algorithmField, curveField,
     Field{.name = "knot", .label = "Knot", .kind = FieldKind::number,
@@ -86,6 +95,22 @@ Result<Trace> osloOf(const Json& arguments) {
     return traceOslo(*curve->as<BsplineCurve>(), numbersOf(*member(arguments, "knots")));
 }
 
+Result<Trace> blendSurfaceOf(const Json& arguments) {
+    const Json& spec = *member(arguments, "surface");
+    const auto made = makeSurface(spec);
+    if (!made) return made.error().under("surface");
+    const auto* blend = made->value.as<BlendingSurface>();
+    if (blend == nullptr) {
+        return refuse(Code::notSupported, "surface.type",
+                      "This algorithm works on a blending-surface; the surface given is a " +
+                          stringOr(spec, "type", "") + ".");
+    }
+    const auto at =
+        placeInDomain(made->value, numberOr(arguments, "u", 0), numberOr(arguments, "v", 0));
+    if (!at) return at.error();
+    return traceBlend(*blend, *at);
+}
+
 CurveSubdivision subdivisionOf(const Json& arguments, CurveScheme scheme) {
     CurveSubdivision input{.scheme = scheme, .points = {}};
     input.closed = flagOr(arguments, "closed", false);
@@ -126,6 +151,9 @@ constexpr std::array algorithms{
               }},
 };
 
+/// What `blend` does with a surface instead of a curve.
+constexpr Algorithm surfaceBlend{"blend", placeFields, blendSurfaceOf};
+
 std::string algorithmNames() {
     std::string names;
     for (const Algorithm& algorithm : algorithms) {
@@ -149,7 +177,10 @@ Result<const Algorithm*> algorithmOf(const Json& given) {
     const auto& text = name->get_ref<const std::string&>();
     const auto found = std::find_if(algorithms.begin(), algorithms.end(),
                                     [&](const Algorithm& one) { return one.name == text; });
-    if (found != algorithms.end()) return &*found;
+    if (found != algorithms.end()) {
+        const bool ofSurface = text == surfaceBlend.name && member(given, "surface") != nullptr;
+        return ofSurface ? &surfaceBlend : &*found;
+    }
     return refuse(Code::unknownName, "algorithm",
                   "\"" + text + "\" is not known here; choose one of " + algorithmNames() + ".");
 }

@@ -40,9 +40,9 @@ struct Trace {
 /// `{ algorithm, … }` with the arguments of the algorithm:
 ///   de-boor, cox-de-boor, factor-matrices { curve, t }   boehm { curve, knot }
 ///   oslo { curve, knots }   lane-riesenfeld { points, closed, degree, levels }
-///   blend { curve, t }      four-point { points, closed, tension, levels }
+///   blend { curve, t } or { surface, u, v }   four-point { points, closed, tension, levels }
 /// Refusals: WRONG_TYPE and UNKNOWN_NAME `algorithm`; UNKNOWN_FIELD and what the fields refuse, at
-/// their paths; NOT_SUPPORTED `curve.type`; OUT_OF_RANGE `t`; as insertKnot() does, `knot`; and
+/// their paths; NOT_SUPPORTED `curve.type`, `surface.type`; OUT_OF_RANGE `t`, `u`, `v`; as insertKnot() does, `knot`; and
 /// TOO_LARGE where there is more than anybody can look at: 2 000 frames, 20 000 points or 500 000
 /// weights and entries of matrices in all.
 [[nodiscard]] Result<Trace> makeTrace(const Json& given);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/blending_curve.hpp"
+#include "geometry/blending_surface.hpp"
 #include "geometry/bspline_curve.hpp"
 #include "geometry/curve_subdivision.hpp"
 #include "scene/trace.hpp"
@@ -15,6 +16,7 @@ namespace knotwork::scene {
 [[nodiscard]] Result<Trace> traceCoxDeBoor(const BsplineCurve& curve, double t);
 [[nodiscard]] Result<Trace> traceFactorMatrices(const BsplineCurve& curve, double t);
 [[nodiscard]] Result<Trace> traceBlend(const BlendingCurve& curve, double t);
+[[nodiscard]] Result<Trace> traceBlend(const BlendingSurface& surface, const SurfacePlace& at);
 
 /// One knot more; refuses what insertKnot() refuses, at `knot`.
 [[nodiscard]] Result<Trace> traceBoehm(const BsplineCurve& curve, double knot);
