@@ -227,6 +227,22 @@ export function point(value, name) {
     return own;
 }
 
+/**
+ * Two whole numbers, one for each direction of a surface.
+ * @param {unknown} value
+ * @param {string} name
+ * @returns {[number, number]}
+ */
+export function indexPair(value, name) {
+    const given = numbers(value, name);
+    const length = lengthOfNumbers(given);
+    if (length !== 2) {
+        throw new KnotworkError('WRONG_LENGTH', name,
+            `${name} has ${length} numbers; it needs two, one for each direction.`);
+    }
+    return [integer(given[0], `${name}[0]`, 0, 2 ** 31 - 1), integer(given[1], `${name}[1]`, 0, 2 ** 31 - 1)];
+}
+
 /** @param {unknown} value @param {string} name @param {number} i */
 function numberAt(value, name, i) {
     return typeof value === 'number' ? value : finite(value, `${name}[${i}]`);

@@ -49,6 +49,7 @@ export interface Knotwork {
 
     surface(spec: BsplineSurfaceSpec): BsplineSurface;
     surface(spec: ParametricSurfaceSpec): ParametricSurface;
+    surface(spec: BlendingSurfaceSpec): BlendingSurface;
     surface(spec: SurfaceSpec): Surface;
     /** The named surfaces, their formulas and their parameters. */
     readonly parametricSurfaces: ParametricSurfaceModel[];
@@ -566,7 +567,41 @@ export type ParametricSurfaceSpec = { type: 'parametric-surface' } & (
     }
 );
 
-export type SurfaceSpec = BsplineSurfaceSpec | ParametricSurfaceSpec;
+/**
+ * What is cut from a model surface at a knot of each direction: the model itself, its tangent plane,
+ * or its Taylor polynomial.
+ */
+export type PatchKind = 'sub-surface' | 'plane' | 'bezier';
+
+/**
+ * A model cut into nu × nv local patches, of which four are blended between neighbouring knots.
+ * Beyond its domain a model goes on as it does by itself; a closed direction evaluates its first
+ * patches one period earlier. At most 10 000 patches, and 500 000 Bézier points in all.
+ */
+export interface BlendingSurfaceSpec {
+    type: 'blending-surface';
+    /** One for both directions, or one along u and one along v. */
+    bFunction: BFunctionSpec | readonly [BFunctionSpec, BFunctionSpec];
+    model: SurfaceSpec;
+    /** How many patches along u and along v, at least 2 each. */
+    locals: readonly [number, number];
+    /** Default 'sub-surface'. */
+    kind?: PatchKind;
+    /** Of 'bezier' along u and along v, 1 … 25; default [3, 3]. */
+    degree?: readonly [number, number];
+    /** Default: closed where the model is. */
+    form?: readonly ['open' | 'closed', 'open' | 'closed'];
+    /**
+     * Where the patches are centred, along u and along v: as many numbers as patches, and one more,
+     * the period after the first, where closed. Default uniform over the model's domain. Two equal
+     * knots in a row make a permitted break.
+     */
+    knots?: readonly [Numbers, Numbers];
+    /** Scale, then rotation, both about the patch's own point at its knots, then translation. */
+    poses?: readonly ({ local: readonly [number, number] } & Pose)[];
+}
+
+export type SurfaceSpec = BsplineSurfaceSpec | ParametricSurfaceSpec | BlendingSurfaceSpec;
 
 /** Outside its domain a closed direction wraps; in any other, `u` or `v` is OUT_OF_RANGE. */
 export interface Surface extends Disposable {
@@ -633,6 +668,21 @@ export interface ParametricSurface extends Surface {
     readonly spec: ParametricSurfaceSpec;
 }
 
+export interface BlendingSurface extends Surface {
+    /** Where the local patches are centred, along u and along v. */
+    readonly knots: [number[], number[]];
+    /** Where the own points of all patches stand, posed: x, y, z of patch [i, j] at 3 (i nv + j). */
+    readonly localOrigins: Float64Array;
+    /**
+     * Local patch [i, j] over the rectangle where it takes part, posed. A plane or a Bézier patch is a
+     * B-spline surface of one piece.
+     */
+    local(i: number, j: number): Surface;
+    /** The same surface with local patch [i, j] in another pose. */
+    withPose(local: readonly [number, number], pose: Pose): BlendingSurface;
+    readonly spec: BlendingSurfaceSpec;
+}
+
 export interface ParametricSurfaceModel {
     name: string;
     label: string;
@@ -648,6 +698,8 @@ export type TraceArguments =
     /** The evaluation of a curve at t. */
     | { algorithm: 'de-boor' | 'cox-de-boor' | 'factor-matrices'; curve: BsplineCurveSpec; t: number }
     | { algorithm: 'blend'; curve: BlendingCurveSpec; t: number }
+    /** The four patches of a surface at (u, v). */
+    | { algorithm: 'blend'; surface: BlendingSurfaceSpec; u: number; v: number }
     /** One more knot. */
     | { algorithm: 'boehm'; curve: BsplineCurveSpec; knot: number }
     /** All knots of the refined curve, of one period where it is closed. */

@@ -1,6 +1,6 @@
 // Surfaces as values: what every kind answers, and what B-spline surfaces answer besides.
 
-import { finite, options } from './check.mjs';
+import { finite, indexPair, options } from './check.mjs';
 import { Held } from './held.mjs';
 import { fillGrid, gridSize, gridTarget } from './surface-grid.mjs';
 
@@ -91,8 +91,36 @@ export class BsplineSurface extends Surface {
 
 export class ParametricSurface extends Surface {}
 
+export class BlendingSurface extends Surface {
+    /** Where the local patches are centred, along u and along v. @returns {[number[], number[]]} */
+    get knots() {
+        return askSurface(this, 'knots', {}).knots;
+    }
+
+    /** Where the own points of all local patches stand, posed, row by row: x, y, z of patch [i, j] at 3 (i nv + j). */
+    get localOrigins() {
+        const { core } = Held.of(this);
+        const { count } = askSurface(this, 'origins', {});
+        const origins = core.bulk(count);
+        core.call('dropBulk');
+        return origins;
+    }
+
+    /** Local patch [i, j] where it takes part, posed. @param {number} i @param {number} j */
+    local(i, j) {
+        return askSurface(this, 'local', { i, j }).surfaces[0];
+    }
+
+    /** The same surface with local patch [i, j] in another pose. @param {ArrayLike<number>} place @param {object} pose */
+    withPose(place, pose) {
+        const { core, handle } = Held.of(this);
+        const [i, j] = indexPair(place, 'local');
+        return adoptSurface(core, core.ask('surfaceWithPose', handle, i, j, core.send(pose)));
+    }
+}
+
 /** In the order of Surface::Kind. */
-const kinds = [BsplineSurface, ParametricSurface];
+const kinds = [BsplineSurface, ParametricSurface, BlendingSurface];
 
 /** How many numbers of the block tell what kind of surface was made. */
 const traitCount = 7;

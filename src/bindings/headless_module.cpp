@@ -70,6 +70,7 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("surfaceGrid", &Session::surfaceGrid)
         .function("surfaceNormal", &Session::surfaceNormal)
         .function("surfaceCurvatures", &Session::surfaceCurvatures)
+        .function("surfaceWithPose", &Session::surfaceWithPose)
         .function("parametricSurfaces", &Session::parametricSurfaces)
         .function("subdivision", &Session::subdivision)
         .function("subdivisionPoints", &Session::subdivisionPoints)

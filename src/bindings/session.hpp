@@ -156,6 +156,8 @@ public:
                                    unsigned count);
     /// Where the normals of surfaceGrid() stand; 3 · 1024 numbers.
     [[nodiscard]] Address normals() const;
+    /// Of a blending surface; the input is a pose.
+    [[nodiscard]] int surfaceWithPose(int handle, int i, int j, unsigned bytes);
     [[nodiscard]] std::string parametricSurfaces() const;
 
     // Subdivision of polygons. It begins with all but the last levels, which are made block by block.

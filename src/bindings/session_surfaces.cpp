@@ -1,7 +1,9 @@
 // The part of the session that holds and evaluates surfaces.
 #include "bindings/session.hpp"
 #include "geometry/surface_differential.hpp"
+#include "scene/json_values.hpp"
 #include "scene/surface_specs.hpp"
+#include "scene/validation.hpp"
 
 namespace knotwork::bindings {
 
@@ -102,6 +104,31 @@ bool Session::surfaceGrid(int handle, unsigned nu, unsigned nv, unsigned first, 
     const std::size_t points = std::min<std::size_t>(count, blockPoints);
     grid->points(first, points, {block_.data(), 3 * points}, {normals_.data(), 3 * points});
     return true;
+}
+
+// A handle that is dragged asks for this at the rate of a picture.
+int Session::surfaceWithPose(int handle, int i, int j, unsigned bytes) {
+    const auto* held = find<SurfaceValue>(handle);
+    if (!held) return 0;
+    const BlendingSurface& blend = *held->surface.as<BlendingSurface>();  // nothing else asks
+    const std::array counts{blend.alongU().count, blend.alongV().count};
+    for (std::size_t direction = 0; direction < 2; ++direction) {
+        const int index = direction == 0 ? i : j;
+        if (index >= 0 && static_cast<std::size_t>(index) < counts[direction]) continue;
+        return refuse({Code::outOfRange, indexed("local", direction),
+                       "There is no local patch " + std::to_string(index) +
+                           " in this direction; they are 0 to " +
+                           std::to_string(counts[direction] - 1) + "."});
+    }
+    const auto given = input(bytes);
+    if (!given) return refuse(given.error());
+    // The first field says which patch, as the arguments have already.
+    const auto read = scene::readGroup(*given, scene::patchPoseFields().subspan(1));
+    if (!read) return refuse(read.error());
+    const Pose pose = scene::poseOf(*read);
+    if (const auto checked = checkPose(pose); !checked) return refuse(checked.error());
+    return holdSurface({blend.withPose(static_cast<std::size_t>(i), static_cast<std::size_t>(j), pose),
+                        std::nullopt});
 }
 
 std::string Session::parametricSurfaces() const {

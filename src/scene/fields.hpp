@@ -32,6 +32,7 @@ enum class FieldKind {
     poses,       ///< list of poses of local curves
     bFunction,   ///< nested B-function specification
     bFunctions,  ///< list of two (mixed)
+    blends,      ///< one B-function, or a list of two, one for each direction
     curve,       ///< nested curve specification
     locals,      ///< { count, kind } or a list of curve specifications
     curveName,   ///< name of a parametric curve
@@ -124,6 +125,8 @@ struct EffectType {
 
 /// The fields of a pose of one local curve.
 [[nodiscard]] std::span<const Field> poseFields() noexcept;
+/// The fields of a pose of one local patch of a surface.
+[[nodiscard]] std::span<const Field> patchPoseFields() noexcept;
 /// `count` and `kind` of locals that are cut from a model.
 [[nodiscard]] std::span<const Field> localsFields() noexcept;
 /// The fields of a B-function of this family without `family`, or nothing for an unknown one.

@@ -10,7 +10,7 @@ namespace knotwork::scene {
 
 namespace {
 
-constexpr std::array<std::pair<FieldKind, std::string_view>, 26> kindNames{{
+constexpr std::array<std::pair<FieldKind, std::string_view>, 27> kindNames{{
     {FieldKind::number, "number"},
     {FieldKind::integer, "integer"},
     {FieldKind::flag, "flag"},
@@ -23,6 +23,7 @@ constexpr std::array<std::pair<FieldKind, std::string_view>, 26> kindNames{{
     {FieldKind::poses, "poses"},
     {FieldKind::bFunction, "bFunction"},
     {FieldKind::bFunctions, "bFunctions"},
+    {FieldKind::blends, "blends"},
     {FieldKind::curve, "curve"},
     {FieldKind::locals, "locals"},
     {FieldKind::curveName, "choice"},

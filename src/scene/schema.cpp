@@ -54,6 +54,8 @@ Json kindSchema(const Field& field) {
         case FieldKind::poses: return listOf(reference("pose"));
         case FieldKind::bFunction: return reference("bFunction");
         case FieldKind::bFunctions: return pairOf(reference("bFunction"));
+        case FieldKind::blends:
+            return {{"anyOf", {reference("bFunction"), pairOf(reference("bFunction"))}}};
         case FieldKind::curve: return reference("curve");
         case FieldKind::locals:
             return {{"anyOf", {objectSchema(localsFields()), listOf(reference("curve"))}}};

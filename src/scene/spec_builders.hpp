@@ -28,6 +28,7 @@ namespace knotwork::scene {
 [[nodiscard]] Result<Curve> buildFormula(Json& spec);
 
 // And back again, for what is computed.
+[[nodiscard]] Json specOf(const BFunction& blend);
 [[nodiscard]] Json specOf(const BsplineCurve& curve);
 [[nodiscard]] Json specOf(const BezierCurve& curve);
 [[nodiscard]] Json specOf(const LineCurve& curve);

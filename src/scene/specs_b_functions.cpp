@@ -51,4 +51,26 @@ Result<BFunction> buildBFunction(const Json& spec) {
     return BFunction::make(name, parameters);
 }
 
+Json specOf(const BFunction& blend) {
+    const BFamilyDescription& family = blend.description();
+    Json spec{{"family", family.name}};
+    if (family.tabulated) spec["values"] = listOf(blend.values());
+    if (family.expression) spec["expression"] = blend.expression();
+    const std::vector<BFunction> operands = blend.operands();
+    std::size_t next = 0;
+    for (const OperandDescription& operand : family.operands) {
+        Json& given = spec[std::string(operand.name)];
+        if (operand.count == 1) {
+            given = specOf(operands[next++]);
+            continue;
+        }
+        given = Json::array();
+        for (int k = 0; k < operand.count; ++k) given.push_back(specOf(operands[next++]));
+    }
+    for (std::size_t k = 0; k < family.parameters.size(); ++k) {
+        spec[std::string(family.parameters[k].name)] = blend.parameters()[k];
+    }
+    return spec;
+}
+
 }  // namespace knotwork::scene

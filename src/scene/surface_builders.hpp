@@ -15,9 +15,11 @@ namespace knotwork::scene {
 
 [[nodiscard]] Result<Surface> buildBsplineSurface(Json& spec);
 [[nodiscard]] Result<Surface> buildParametricSurface(Json& spec);
+[[nodiscard]] Result<Surface> buildBlendingSurface(Json& spec);
 
 // And back again, for what is computed.
 [[nodiscard]] Json specOf(const BsplineSurface& surface);
 [[nodiscard]] Json specOf(const ParametricSurface& surface);
+[[nodiscard]] Json specOf(const BlendingSurface& surface);
 
 }  // namespace knotwork::scene

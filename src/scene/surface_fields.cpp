@@ -2,6 +2,7 @@
 #include "geometry/parametric_surface_descriptions.hpp"
 #include "scene/fields.hpp"
 #include "scene/parameter_fields.hpp"
+#include "scene/rotation_fields.hpp"
 
 #include <algorithm>
 #include <array>
@@ -48,9 +49,65 @@ constexpr std::array parametricFields{
           .help = "The numbers of its formula.", .defaultJson = "{}"},
 };
 
+constexpr std::array blendFormChoices{Choice{"open", "Open"}, Choice{"closed", "Closed"}};
+constexpr std::array patchKindChoices{Choice{"sub-surface", "Sub-surface"},
+                                      Choice{"plane", "Tangent plane"},
+                                      Choice{"bezier", "Bézier patch"}};
+
+constexpr std::array oneCount{Field{.name = "count", .label = "Number",
+                                    .kind = FieldKind::integer, .min = 2, .max = 10'000,
+                                    .maxIsSize = true}};
+constexpr std::array oneBlendForm{Field{.name = "form", .label = "Form",
+                                        .kind = FieldKind::choice, .choices = blendFormChoices}};
+constexpr std::array onePlace{Field{.name = "index", .label = "Index",
+                                    .kind = FieldKind::integer, .min = 0, .max = 9999}};
+
+constexpr std::array patchPoseTable{
+    Field{.name = "local", .label = "Local patch", .kind = FieldKind::pair,
+          .help = "Which local patch, [i, j] counted from 0 along u and along v.",
+          .required = true, .fields = onePlace},
+    Field{.name = "translate", .label = "Move", .kind = FieldKind::point,
+          .help = "Moves the local patch.", .defaultJson = "[0,0,0]"},
+    Field{.name = "rotate", .label = "Turn", .kind = FieldKind::group,
+          .help = "Turns it about its point at its knots.", .defaultJson = "{}",
+          .fields = rotateFields},
+    Field{.name = "scale", .label = "Scale", .kind = FieldKind::scale,
+          .help = "Scales it about its point at its knots.", .defaultJson = "1"},
+};
+constexpr std::array onePose{Field{.name = "pose", .label = "Pose", .kind = FieldKind::group,
+                                   .fields = patchPoseTable}};
+
+constexpr std::array blendingFields{
+    Field{.name = "bFunction", .label = "B-function", .kind = FieldKind::blends,
+          .help = "Blends each local patch into its neighbours; or one along u and one along v.",
+          .required = true},
+    Field{.name = "model", .label = "Model", .kind = FieldKind::surface,
+          .help = "The surface that the local patches are cut from.", .required = true},
+    Field{.name = "locals", .label = "Local patches", .kind = FieldKind::pair,
+          .help = "How many are cut along u and along v, at most 10000 in all.", .required = true,
+          .fields = oneCount},
+    Field{.name = "kind", .label = "Kind", .kind = FieldKind::choice,
+          .help = "What is cut from the model.", .defaultJson = "\"sub-surface\"",
+          .choices = patchKindChoices},
+    Field{.name = "degree", .label = "Degrees", .kind = FieldKind::pair,
+          .help = "Of Bézier patches, along u and along v; 3 and 3 if left out.",
+          .fields = oneDegree},
+    Field{.name = "form", .label = "Forms", .kind = FieldKind::pair,
+          .help = "Open or closed, along u and along v; those of the model if left out.",
+          .fields = oneBlendForm},
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::pair,
+          .help = "Where the local patches are centred, along u and along v; a closed direction "
+                  "has one more, the period after the first.",
+          .fields = oneKnots},
+    Field{.name = "poses", .label = "Poses", .kind = FieldKind::list,
+          .help = "How local patches are scaled, turned and moved.", .defaultJson = "[]",
+          .fields = onePose},
+};
+
 constexpr std::array types{
     SurfaceType{"bspline-surface", "B-spline surface", bsplineFields},
     SurfaceType{"parametric-surface", "Parametric surface", parametricFields},
+    SurfaceType{"blending-surface", "Blending surface", blendingFields},
 };
 
 }  // namespace
@@ -62,6 +119,8 @@ const SurfaceType* findSurfaceType(std::string_view type) noexcept {
                                     [&](const SurfaceType& t) { return t.type == type; });
     return found == types.end() ? nullptr : &*found;
 }
+
+std::span<const Field> patchPoseFields() noexcept { return patchPoseTable; }
 
 std::optional<std::vector<Field>> surfaceParameterFields(std::string_view name) {
     const SurfaceModelDescription* model = findSurfaceModel(name);

@@ -22,6 +22,7 @@ struct Builder {
 constexpr std::array builders{
     Builder{"bspline-surface", buildBsplineSurface},
     Builder{"parametric-surface", buildParametricSurface},
+    Builder{"blending-surface", buildBlendingSurface},
 };
 
 /// The keys in the order of the tables: what was computed stands last until then.
@@ -56,6 +57,7 @@ Result<Made<Surface>> makeSurface(const Json& spec) {
 
 Json specOf(const Surface& surface) {
     if (const auto* parametric = surface.as<ParametricSurface>()) return specOf(*parametric);
+    if (const auto* blending = surface.as<BlendingSurface>()) return specOf(*blending);
     return specOf(*surface.as<BsplineSurface>());
 }
 

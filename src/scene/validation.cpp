@@ -218,6 +218,7 @@ Result<Json> readField(const Json& given, const Field& field, const Json& parent
                             [](const Json& item) { return readGroup(item, poseFields()); });
         case FieldKind::bFunction: return readBFunction(given);
         case FieldKind::bFunctions: return readPair(given);
+        case FieldKind::blends: return given.is_array() ? readPair(given) : readBFunction(given);
         case FieldKind::curve: return readCurve(given);
         case FieldKind::locals: return readLocals(given);
         case FieldKind::curveName: return readName(given, parametricCurveChoices());

@@ -75,6 +75,10 @@ const grid = torus.grid(10, 10);
 const corners3: Uint32Array = patch.grid(10, 10, { into: grid }).indices;
 const { k1 }: { k1: number } = torus.curvatures(0, 1);
 void [corners3, k1, torus.normal(1, 2)[0]];
+const handles = kw.surface({ type: 'blending-surface', bFunction: [b.spec, { family: 'linear' }], model: torus.spec, locals: [5, 3],
+    kind: 'bezier', degree: [3, 2], form: ['closed', 'open'], poses: [{ local: [0, 1], scale: 2 }] });
+const piece: [number, number] = handles.withPose([1, 2], { translate: [0, 0, 1] }).local(1, 2).domain[0];
+void [piece, handles.knots[1][0], handles.localOrigins.length];
 void [finer.closed[0], bent, kw.parametricSurfaces[0].formula];
 const cube = kw.mesh({ solid: 'cube' });
 const ring = kw.mesh({ solid: 'torus', parameters: { around: 6, tube: 0.2 } });
@@ -150,6 +154,7 @@ const values = {
     Sphere: kw.enclosingSphere([[0, 0], [1, 1]]),
     FormulaCurve: kw.curve({ type: 'formula-curve', x: 't', y: 't^2', domain: [0, 1] }),
     BsplineSurface: kw.surface({ type: 'bspline-surface', degree: [1, 1], points: [[[0, 0], [1, 0]], [[0, 1], [1, 1]]] }),
+    BlendingSurface: kw.surface({ type: 'blending-surface', bFunction: { family: 'linear' }, locals: [3, 2], model: { type: 'parametric-surface', name: 'torus' } }),
     ParametricSurface: kw.surface({ type: 'parametric-surface', name: 'torus' }),
     Grid: kw.surface({ type: 'parametric-surface', name: 'plane' }).grid(2, 2),
     ParametricSurfaceModel: kw.parametricSurfaces[0],
