@@ -64,7 +64,7 @@ int Session::curveRefine(int handle, unsigned count, bool byBoehm) {
     std::vector<double> knots(std::min<std::size_t>(count, room_.size() / sizeof(double)));
     std::memcpy(knots.data(), room_.data(), knots.size() * sizeof(double));
     auto refined = byBoehm ? refineByBoehm(*spline, std::move(knots))
-                           : refineByOslo1(*spline, std::move(knots));
+                           : refineByOslo(*spline, std::move(knots));
     if (!refined) return refuse(refined.error());
     return holdCurve({Curve(std::move(*refined)), std::nullopt, std::nullopt, {}});
 }

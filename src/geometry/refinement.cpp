@@ -1,6 +1,7 @@
 #include "geometry/refinement.hpp"
 
 #include "geometry/boehm.hpp"
+#include "geometry/cubic_refinement.hpp"
 #include "geometry/homogeneous.hpp"
 #include "geometry/oslo.hpp"
 
@@ -131,6 +132,25 @@ MaybeError checkContainsPeriod(const KnotVector& knots, std::span<const double> 
     return checkContains(knots, withoutSeam(knots.knots()).knots, inner);
 }
 
+/// A vector of its own right, which need not have the knots of the old one yet.
+Result<KnotVector> finerKnots(const KnotVector& knots, std::vector<double> refined) {
+    if (auto error = checkRefinedCount(knots, refined.size())) return *std::move(error);
+    const std::size_t more = refined.size() - knots.knots().size();
+    return KnotVector::make(std::move(refined), knots.degree(),
+                            knots.pointCount() + static_cast<int>(more), knots.form());
+}
+
+MaybeError checkRefines(const KnotVector& knots, const KnotVector& refined) {
+    const auto after = refined.knots();
+    if (!knots.closed()) return checkContains(knots, knots.knots(), {after});
+    return checkContainsPeriod(knots, after, refined.multiplicity(after.front()));
+}
+
+bool isPlainCubic(const BsplineCurve& curve) noexcept {
+    return curve.degree() == 3 && curve.knotVector().form() == Form::clamped &&
+           curve.weights().empty();
+}
+
 Result<BsplineCurve> curveOver(KnotVector refined, std::span<const Homogeneous> points,
                                const BsplineCurve& curve) {
     return fromHomogeneous(std::move(refined), points, curve.dimension(),
@@ -165,17 +185,19 @@ Result<BsplineCurve> insertKnot(const BsplineCurve& curve, double t, int times) 
 }
 
 Result<KnotVector> refinedKnots(const KnotVector& knots, std::vector<double> refined) {
-    if (auto error = checkRefinedCount(knots, refined.size())) return *std::move(error);
-    const std::size_t more = refined.size() - knots.knots().size();
-    auto made = KnotVector::make(std::move(refined), knots.degree(),
-                                 knots.pointCount() + static_cast<int>(more), knots.form());
-    if (!made) return made.error();
-    const auto after = made->knots();
-    auto error = knots.closed()
-                     ? checkContainsPeriod(knots, after, made->multiplicity(after.front()))
-                     : checkContains(knots, knots.knots(), {after});
-    if (error) return *std::move(error);
+    auto made = finerKnots(knots, std::move(refined));
+    if (!made) return made;
+    if (auto error = checkRefines(knots, *made)) return *std::move(error);
     return made;
+}
+
+Result<BsplineCurve> refineByOslo(const BsplineCurve& curve, std::vector<double> knots) {
+    if (!isPlainCubic(curve)) return refineByOslo1(curve, std::move(knots));
+    auto refined = finerKnots(curve.knotVector(), std::move(knots));
+    if (!refined) return refined.error();
+    auto points = refinedCubic(curve.knotVector(), curve.points(), *refined);
+    if (!points) return *checkRefines(curve.knotVector(), *refined);  // which knot is missing
+    return BsplineCurve::make(std::move(*refined), std::move(*points), curve.dimension());
 }
 
 Result<BsplineCurve> refineByOslo1(const BsplineCurve& curve, std::vector<double> knots) {

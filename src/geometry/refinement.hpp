@@ -26,9 +26,13 @@ namespace knotwork {
 /// of KnotVector::make().
 [[nodiscard]] Result<KnotVector> refinedKnots(const KnotVector& knots, std::vector<double> refined);
 
-// The curve over such a vector, by three algorithms that give the same points; refusals as above.
+// The curve over such a vector, by algorithms that give the same points; refusals as above.
 
-/// Rows of discrete B-splines, O(n + m d²) and the quickest (oslo.hpp).
+/// The quickest: refinedCubic() (cubic_refinement.hpp) for clamped cubics without weights, Oslo 1
+/// for all others.
+[[nodiscard]] Result<BsplineCurve> refineByOslo(const BsplineCurve& curve,
+                                                std::vector<double> refined);
+/// Rows of discrete B-splines, O(n + m d²) (oslo.hpp).
 [[nodiscard]] Result<BsplineCurve> refineByOslo1(const BsplineCurve& curve,
                                                  std::vector<double> refined);
 /// Blossoms, O(n + m d²) (oslo.hpp).

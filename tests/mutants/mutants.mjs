@@ -38,7 +38,7 @@ export const mutants = [
         file: 'oslo_kernels.hpp',
         find: 'arguments[degree - r]',
         replace: 'arguments[r - 1]',
-        test: 'OperationProperty.TheThreeRefinementsAgreeAndKeepTheCurve',
+        test: 'OperationProperty.AllRefinementsAgreeAndKeepTheCurve',
     },
     {
         name: 'sin²(πt) instead of sin²(πt/2)',

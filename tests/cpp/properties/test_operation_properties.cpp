@@ -62,17 +62,21 @@ std::vector<double> anyRefinement(const KnotVector& knots) {
     return refined;
 }
 
-TEST(OperationProperty, TheThreeRefinementsAgreeAndKeepTheCurve) {
+TEST(OperationProperty, AllRefinementsAgreeAndKeepTheCurve) {
     test::holds(600, [] {
         const BsplineCurve curve = anyCurve();
         const std::vector<double> refined = anyRefinement(curve.knotVector());
+        const auto quick = refineByOslo(curve, refined);
         const auto one = refineByOslo1(curve, refined);
         const auto two = refineByOslo2(curve, refined);
         const auto boehm = refineByBoehm(curve, refined);
+        RC_ASSERT(one.ok() == quick.ok());
         RC_ASSERT(one.ok() == two.ok());
         RC_ASSERT(one.ok() == boehm.ok());
         RC_PRE(one.ok());  // not too near to a knot, nor too often
         for (std::size_t j = 0; j < one->points().size(); ++j) {
+            RC_ASSERT(glm::length(one->points()[j] - quick->points()[j]) <=
+                      gates::osloAgainstBoehm);
             RC_ASSERT(glm::length(one->points()[j] - two->points()[j]) <= gates::osloAgainstBoehm);
             RC_ASSERT(glm::length(one->points()[j] - boehm->points()[j]) <=
                       gates::osloAgainstBoehm);
