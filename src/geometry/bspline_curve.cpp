@@ -2,6 +2,7 @@
 
 #include "geometry/bspline_kernels.hpp"
 #include "geometry/checks.hpp"
+#include "geometry/simd.hpp"
 
 #include <glm/vec4.hpp>
 
@@ -35,6 +36,24 @@ bool isPlain(const Vec3& point, int dimension) noexcept {
            std::abs(point.z) <= (dimension == 2 ? 0 : largestCoordinate);
 }
 
+/// How many points from the first one on are seen to be plain, two at a look.
+std::size_t plainPoints(std::span<const Vec3> points, int dimension) noexcept {
+    const double z = dimension == 2 ? 0 : largestCoordinate;
+    const std::array<double, 6> most{largestCoordinate, largestCoordinate, z,
+                                     largestCoordinate, largestCoordinate, z};
+    const auto within = [&](const double* numbers, std::size_t at) {
+        const simd::Double2 pair = simd::load(numbers + at);
+        const simd::Double2 limit = simd::load(&most[at]);
+        return (limit >= pair) & (pair >= simd::splat(0) - limit);
+    };
+    std::size_t i = 0;
+    for (; i + 2 <= points.size(); i += 2) {
+        const double* numbers = &points[i].x;
+        if (!simd::inBoth(within(numbers, 0) & within(numbers, 2) & within(numbers, 4))) break;
+    }
+    return i;
+}
+
 /// What is wrong with a point that is not plain.
 MaybeError refusePoint(const Vec3& point, std::size_t index) {
     if (!allowedCoordinates(point)) return checkCoordinates(point, indexed("points", index));
@@ -62,7 +81,7 @@ MaybeError checkCurve(int pointCount, std::span<const Vec3> points, int dimensio
                       "dimension is " + std::to_string(dimension) + "; it must be 2 or 3");
     }
     if (auto error = checkLength(points.size(), pointCount, "points")) return error;
-    for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t i = plainPoints(points, dimension); i < points.size(); ++i) {
         if (!isPlain(points[i], dimension)) return refusePoint(points[i], i);
     }
     if (weights.empty()) return {};

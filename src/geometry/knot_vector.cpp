@@ -1,5 +1,7 @@
 #include "geometry/knot_vector.hpp"
 
+#include "geometry/simd.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -100,24 +102,24 @@ MaybeError checkMultiplicity(std::span<const double> knots, int degree, bool clo
     return {};
 }
 
+Error refuseUnclamped(std::span<const double> knots, std::size_t index, std::size_t end,
+                      int degree) {
+    return refuseKnot(Code::knotsMultiplicity, index,
+                      formatNumber(knots[index]) + " is not the " +
+                          (end == 0 ? "first" : "last") + " knot " + formatNumber(knots[end]) +
+                          "; a clamped curve begins and ends with degree + 1 = " +
+                          std::to_string(degree + 1) +
+                          " equal knots: repeat the end knot or use the form 'open'");
+}
+
 MaybeError checkClampedEnds(std::span<const double> knots, int degree) {
     const auto d = static_cast<std::size_t>(degree);
-    const std::string rule =
-        "; a clamped curve begins and ends with degree + 1 = " + std::to_string(degree + 1) +
-        " equal knots: repeat the end knot or use the form 'open'";
+    const std::size_t last = knots.size() - 1;
     for (std::size_t i = 1; i <= d; ++i) {
-        if (knots[i] != knots[0]) {
-            return refuseKnot(
-                Code::knotsMultiplicity, i,
-                formatNumber(knots[i]) + " is not the first knot " + formatNumber(knots[0]) + rule);
-        }
+        if (knots[i] != knots[0]) return refuseUnclamped(knots, i, 0, degree);
     }
-    for (std::size_t i = knots.size() - d - 1; i + 1 < knots.size(); ++i) {
-        if (knots[i] != knots.back()) {
-            return refuseKnot(Code::knotsMultiplicity, i,
-                              formatNumber(knots[i]) + " is not the last knot " +
-                                  formatNumber(knots.back()) + rule);
-        }
+    for (std::size_t i = last - d; i < last; ++i) {
+        if (knots[i] != knots[last]) return refuseUnclamped(knots, i, last, degree);
     }
     return {};
 }
@@ -162,12 +164,24 @@ bool isPlain(std::span<const double> knots, const Interval& domain, int degree) 
         std::max(smallestGap * domain.length(),
                  smallestGapUlps * std::numeric_limits<double>::epsilon() * largest);
     const auto most = static_cast<std::size_t>(degree) + 1;
-    for (std::size_t i = 1; i < knots.size(); ++i) {
+    // Nothing of this holds where there is a NaN.
+    const auto plainGap = [&](std::size_t i) {
         const double gap = knots[i] - knots[i - 1];
-        if (!(gap == 0 || gap >= smallest)) return false;  // nor is a NaN plain
-        if (i >= most && knots[i] == knots[i - most]) return false;
+        return gap == 0 || gap >= smallest;
+    };
+    std::size_t i = 1;
+    for (; i < most; ++i) {
+        if (!plainGap(i)) return false;
     }
-    return true;
+    simd::Truth2 plain = simd::splat(0) == simd::splat(0);
+    for (; i + 1 < knots.size(); i += 2) {
+        const simd::Double2 pair = simd::load(&knots[i]);
+        const simd::Double2 gap = pair - simd::load(&knots[i - 1]);
+        plain = plain & ((gap == simd::splat(0)) | (gap >= simd::splat(smallest))) &
+                (pair > simd::load(&knots[i - most]));
+    }
+    if (i < knots.size() && !(plainGap(i) && knots[i] > knots[i - most])) return false;
+    return simd::inBoth(plain);
 }
 
 MaybeError checkAll(std::span<const double> knots, int degree, int pointCount, Form form) {

@@ -90,6 +90,29 @@ inline void store(double* to, Double2 value) noexcept { wasm_v128_store(to, valu
 [[nodiscard]] inline std::uint32_t secondBits(Double2 a) noexcept {
     return static_cast<std::uint32_t>(wasm_i32x4_extract_lane(a.lanes, 2));
 }
+
+/// What holds in each lane; nothing does of a NaN.
+struct Truth2 {
+    v128_t lanes;
+};
+
+[[nodiscard]] inline Truth2 operator==(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_eq(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline Truth2 operator>(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_gt(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline Truth2 operator>=(Double2 a, Double2 b) noexcept {
+    return {wasm_f64x2_ge(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline Truth2 operator&(Truth2 a, Truth2 b) noexcept {
+    return {wasm_v128_and(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline Truth2 operator|(Truth2 a, Truth2 b) noexcept {
+    return {wasm_v128_or(a.lanes, b.lanes)};
+}
+[[nodiscard]] inline bool inBoth(Truth2 a) noexcept { return wasm_i64x2_all_true(a.lanes); }
+
 [[nodiscard]] inline double first(Double2 a) noexcept {
     return wasm_f64x2_extract_lane(a.lanes, 0);
 }
@@ -177,6 +200,30 @@ inline void store(double* to, Double2 value) noexcept { std::memcpy(to, &value, 
 [[nodiscard]] inline std::uint32_t secondBits(Double2 a) noexcept {
     return static_cast<std::uint32_t>(__builtin_bit_cast(std::uint64_t, double{a.lanes[1]}));
 }
+
+/// What holds in each lane; nothing does of a NaN.
+struct Truth2 {
+    bool first;
+    bool second;
+};
+
+[[nodiscard]] inline Truth2 operator==(Double2 a, Double2 b) noexcept {
+    return {a.lanes[0] == b.lanes[0], a.lanes[1] == b.lanes[1]};
+}
+[[nodiscard]] inline Truth2 operator>(Double2 a, Double2 b) noexcept {
+    return {a.lanes[0] > b.lanes[0], a.lanes[1] > b.lanes[1]};
+}
+[[nodiscard]] inline Truth2 operator>=(Double2 a, Double2 b) noexcept {
+    return {a.lanes[0] >= b.lanes[0], a.lanes[1] >= b.lanes[1]};
+}
+[[nodiscard]] inline Truth2 operator&(Truth2 a, Truth2 b) noexcept {
+    return {a.first && b.first, a.second && b.second};
+}
+[[nodiscard]] inline Truth2 operator|(Truth2 a, Truth2 b) noexcept {
+    return {a.first || b.first, a.second || b.second};
+}
+[[nodiscard]] inline bool inBoth(Truth2 a) noexcept { return a.first && a.second; }
+
 [[nodiscard]] inline double first(Double2 a) noexcept { return a.lanes[0]; }
 [[nodiscard]] inline double second(Double2 a) noexcept { return a.lanes[1]; }
 
