@@ -36,9 +36,10 @@ Session::Address Session::block() const { return addressOf(block_.data()); }
 Session::Address Session::normals() const { return addressOf(normals_.data()); }
 Session::Address Session::parameters() const { return addressOf(parameters_.data()); }
 Session::Address Session::integers() const { return addressOf(integers_.data()); }
-Session::Address Session::bulk() const { return addressOf(bulk_.data()); }
+Session::Address Session::bulk() const { return addressOf(list_); }
 void Session::dropBulk() {
     bulk_ = {};
+    list_ = nullptr;
     bulkIndices_ = {};
 }
 
@@ -64,6 +65,7 @@ std::string Session::inputText(unsigned bytes) {
 
 int Session::leave(std::vector<double> numbers, std::size_t count) {
     bulk_ = std::move(numbers);
+    list_ = bulk_.data();
     return static_cast<int>(count);
 }
 

@@ -286,6 +286,7 @@ private:
     std::array<double, blockPoints> parameters_{};
     std::array<std::int32_t, blockPoints> integers_{};
     std::vector<double> bulk_;
+    const double* list_ = nullptr;  ///< bulk_, or numbers that a value holds
     std::vector<std::uint32_t> bulkIndices_;
     std::string text_;
     MeshRoom meshRoom_;

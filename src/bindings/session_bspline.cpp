@@ -45,9 +45,9 @@ int Session::curveControlPoints(int handle) {
     const auto* spline = findBspline(handle);
     if (!spline) return -1;
     static_assert(sizeof(Vec3) == 3 * sizeof(double));
-    std::vector<double> xyz(3 * spline->points().size());
-    std::memcpy(xyz.data(), spline->points().data(), xyz.size() * sizeof(double));
-    return leave(std::move(xyz), spline->points().size());
+    dropBulk();
+    list_ = &spline->points().front().x;
+    return static_cast<int>(spline->points().size());
 }
 
 int Session::curveInsertKnot(int handle, double t, int times) {

@@ -11,8 +11,8 @@ int Session::holdFit(Fit fit) {
     block_[curveTraits] = fit.residuals.sumOfSquares;
     block_[curveTraits + 1] = fit.residuals.rms;
     block_[curveTraits + 2] = fit.residuals.max;
-    block_[curveTraits + 3] = static_cast<double>(fit.parameters.size());
-    bulk_ = std::move(fit.parameters);
+    const std::size_t parameters = fit.parameters.size();
+    block_[curveTraits + 3] = leave(std::move(fit.parameters), parameters);
     return handle;
 }
 

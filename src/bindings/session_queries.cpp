@@ -44,8 +44,8 @@ std::string Session::deliver(Result<Answer> answer) {
         list("surfaces", handle, surfaceTraits);
     }
     if (!answer->numbers.empty()) {
-        answer->json["count"] = answer->numbers.size();
-        bulk_ = std::move(answer->numbers);
+        const std::size_t count = answer->numbers.size();
+        answer->json["count"] = leave(std::move(answer->numbers), count);
     }
     return scene::dumpJson(answer->json);
 }
