@@ -1,6 +1,7 @@
 // The part of the session that holds and evaluates curves.
 #include "bindings/marshal.hpp"
 #include "bindings/session.hpp"
+#include "geometry/simd.hpp"
 #include "geometry/tessellation.hpp"
 
 #include <algorithm>
@@ -15,6 +16,18 @@ void write(const Vec3& v, double* at) noexcept {
     at[0] = v.x;
     at[1] = v.y;
     at[2] = v.z;
+}
+
+/// How many numbers from the first one on are seen to lie in the interval, two at a look.
+std::size_t countWithin(const Interval& whole, std::span<const double> numbers) noexcept {
+    const simd::Double2 start = simd::splat(whole.start);
+    const simd::Double2 end = simd::splat(whole.end);
+    std::size_t i = 0;
+    for (; i + 2 <= numbers.size(); i += 2) {
+        const simd::Double2 pair = simd::load(&numbers[i]);
+        if (!simd::inBoth((pair >= start) & (end >= pair))) break;
+    }
+    return i;
 }
 
 }  // namespace
@@ -97,7 +110,7 @@ bool Session::curveSample(int handle, unsigned first, unsigned count, unsigned t
 
 bool Session::enterDomain(const Curve& curve, unsigned first, std::size_t count) {
     const Interval whole = domain(curve);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = countWithin(whole, {parameters_.data(), count}); i < count; ++i) {
         if (whole.contains(parameters_[i])) continue;
         const auto inside = parameterInDomain(curve, parameters_[i]);
         if (!inside) {

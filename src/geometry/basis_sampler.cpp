@@ -15,8 +15,8 @@ using simd::Double2;
 constexpr std::size_t rowSize(std::size_t degree) noexcept { return degree * (degree + 1) / 2; }
 
 /// What the triangle needs of one span: its step k combines with the weights
-/// w_j = (t - start_j) · inverse_j, j = 0 … k-1. Fixed is the degree where the compiler knows it,
-/// else 0.
+/// w_j = (t - t_i) · 1 / (t_{i+k} - t_i), i = span + 1 - k + j, j = 0 … k-1. Fixed is the degree where
+/// the compiler knows it, else 0.
 template <std::size_t Fixed>
 class SpanTriangle {
 public:
@@ -24,9 +24,9 @@ public:
         : degree_(degree) {
         std::size_t at = 0;
         for (std::size_t k = 1; k <= this->degree(); ++k) {
+            starts_[k - 1] = knots[span + 1 - k];
             for (std::size_t j = 0; j < k; ++j, ++at) {
-                const std::size_t i = span + 1 + j - k;
-                starts_[at] = knots[i];
+                const std::size_t i = span + 1 - k + j;
                 inverses_[at] = 1 / (knots[i + k] - knots[i]);
             }
         }
@@ -34,15 +34,18 @@ public:
 
     /// The functions at two parameters, which stand in the lanes.
     void pair(Double2 t, std::array<Double2, maxDegree + 1>& functions) const noexcept {
+        std::array<Double2, most> past;  // from each of the knots before t
         functions[0] = simd::splat(1);
         if constexpr (Fixed == 3) {  // by name, so that all stays in registers
-            step<1>(t, functions, std::make_index_sequence<1>());
-            step<2>(t, functions, std::make_index_sequence<2>());
-            step<3>(t, functions, std::make_index_sequence<3>());
+            past = {pastStart(t, 0), pastStart(t, 1), pastStart(t, 2)};
+            step<1>(past, functions, std::make_index_sequence<1>());
+            step<2>(past, functions, std::make_index_sequence<2>());
+            step<3>(past, functions, std::make_index_sequence<3>());
         } else {
             for (std::size_t k = 1; k <= degree(); ++k) {
+                past[k - 1] = pastStart(t, k - 1);
                 Double2 carried = simd::splat(0);
-                for (std::size_t j = 0; j < k; ++j) raise(t, k, j, carried, functions);
+                for (std::size_t j = 0; j < k; ++j) raise(past, k, j, carried, functions);
                 functions[k] = carried;
             }
         }
@@ -51,29 +54,33 @@ public:
     [[nodiscard]] std::size_t degree() const noexcept { return Fixed > 0 ? Fixed : degree_; }
 
 private:
+    static constexpr std::size_t most = Fixed > 0 ? Fixed : maxDegree;
+
+    [[nodiscard]] Double2 pastStart(Double2 t, std::size_t i) const noexcept {
+        return t - simd::loadSplat(&starts_[i]);
+    }
+
     /// Function j of degree k-1 gives its share to functions j and, carried, j+1 of degree k.
-    void raise(Double2 t, std::size_t k, std::size_t j, Double2& carried,
-               std::array<Double2, maxDegree + 1>& functions) const noexcept {
-        const std::size_t at = rowSize(k - 1) + j;
-        const Double2 w = (t - simd::loadSplat(&starts_[at])) * simd::loadSplat(&inverses_[at]);
+    void raise(const std::array<Double2, most>& past, std::size_t k, std::size_t j,
+               Double2& carried, std::array<Double2, maxDegree + 1>& functions) const noexcept {
+        const Double2 w = past[k - 1 - j] * simd::loadSplat(&inverses_[rowSize(k - 1) + j]);
         const Double2 upper = w * functions[j];
         functions[j] = carried + (functions[j] - upper);
         carried = upper;
     }
 
     template <std::size_t K, std::size_t... J>
-    void step(Double2 t, std::array<Double2, maxDegree + 1>& functions,
+    void step(const std::array<Double2, most>& past,
+              std::array<Double2, maxDegree + 1>& functions,
               std::index_sequence<J...>) const noexcept {
         Double2 carried = simd::splat(0);
-        (raise(t, K, J, carried, functions), ...);
+        (raise(past, K, J, carried, functions), ...);
         functions[K] = carried;
     }
 
-    static constexpr std::size_t size = rowSize(Fixed > 0 ? Fixed : maxDegree);
-
     std::size_t degree_;
-    std::array<double, size> starts_;
-    std::array<double, size> inverses_;
+    std::array<double, most> starts_;  ///< from the span's own downwards
+    std::array<double, rowSize(most)> inverses_;
 };
 
 /// Row 0 from the first lanes, row 1 from the second.
@@ -112,7 +119,11 @@ void spanRows(std::span<const double> knots, std::size_t degree, std::size_t spa
 /// How many parameters from `begin` on lie in the span [start, end) that the first one lies in.
 std::size_t runLength(std::span<const double> ts, std::size_t begin, double start,
                       double end) noexcept {
+    const auto inside = [&](Double2 t) {
+        return simd::inBoth((t >= simd::splat(start)) & (simd::splat(end) > t));
+    };
     std::size_t i = begin + 1;
+    while (i + 2 <= ts.size() && inside(simd::load(&ts[i]))) i += 2;
     while (i < ts.size() && start <= ts[i] && ts[i] < end) ++i;
     return i - begin;
 }

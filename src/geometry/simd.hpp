@@ -111,7 +111,7 @@ struct Truth2 {
 [[nodiscard]] inline Truth2 operator|(Truth2 a, Truth2 b) noexcept {
     return {wasm_v128_or(a.lanes, b.lanes)};
 }
-[[nodiscard]] inline bool inBoth(Truth2 a) noexcept { return wasm_i64x2_all_true(a.lanes); }
+[[nodiscard]] inline bool inBoth(Truth2 a) noexcept { return wasm_i64x2_bitmask(a.lanes) == 3; }
 
 [[nodiscard]] inline double first(Double2 a) noexcept {
     return wasm_f64x2_extract_lane(a.lanes, 0);
