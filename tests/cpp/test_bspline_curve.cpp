@@ -374,5 +374,28 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{three, 2, {1, 1, nan}, Code::notFinite, "weights[2]"},
         Refused{three, 2, {1, 1, 1e10}, Code::outOfRange, "weights[2]"}));
 
+TEST(BsplineCurve, OneCoordinateOfAnyPointIsEnoughToRefuseIt) {
+    const KnotVector knots = KnotVector::uniform(2, 5, Form::clamped).value();
+    for (std::size_t i = 0; i < 5; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const double bad : {nan, infinity, -infinity, 1.1e12, -1.1e12}) {
+                std::vector<Vec3> points(5, Vec3(1e12, -1e12, 1e12));
+                ASSERT_TRUE(BsplineCurve::make(knots, points, 3).ok());
+                points[i][axis] = bad;
+                const auto made = BsplineCurve::make(knots, points, 3);
+                ASSERT_FALSE(made.ok()) << i << ", " << axis << ", " << bad;
+                EXPECT_EQ(made.error().path, "points[" + std::to_string(i) + "]");
+            }
+        }
+        for (const double z : {1.0, -1.0, nan}) {
+            std::vector<Vec3> points(5, Vec3(1, 2, 0));
+            points[i].z = z;
+            const auto made = BsplineCurve::make(knots, points, 2);
+            ASSERT_FALSE(made.ok()) << i << ", " << z;
+            EXPECT_EQ(made.error().path, "points[" + std::to_string(i) + "]");
+        }
+    }
+}
+
 }  // namespace
 }  // namespace knotwork
