@@ -466,6 +466,9 @@ export type MeshSpec =
     /** The text of an OBJ file: its vertices and faces; everything else in it is passed over. */
     | { obj: string };
 
+/** `butterfly` is the modified one. */
+export type MeshScheme = 'catmull-clark' | 'doo-sabin' | 'loop' | 'butterfly' | 'sqrt3';
+
 export interface Mesh extends Disposable {
     readonly counts: { vertices: number; edges: number; faces: number; boundaryEdges: number };
     /** x, y, z triples. */
@@ -480,6 +483,20 @@ export interface Mesh extends Disposable {
      * Zero for vertices without faces, or where those cancel.
      */
     vertexNormals(options?: IntoOption): Float64Array;
+    /**
+     * `levels` steps of a scheme (0 or more). `loop`, `butterfly` and `sqrt3` need triangles, otherwise
+     * they are NOT_SUPPORTED at `faces[i]`. A boundary is a curve of its own without fixed corners.
+     */
+    subdivide(scheme: MeshScheme, levels?: number): Mesh;
+    /** Where the vertices go in the end, and the normals there. Not of `doo-sabin`, whose limits belong to faces. */
+    limit(scheme: MeshScheme): { positions: Float64Array; normals: Float64Array };
+    /** How smooth its limits are, where all valences are regular and elsewhere, and which meshes it takes. */
+    classification(scheme: MeshScheme): {
+        approximating: boolean;
+        regular: 'C1' | 'C2';
+        extraordinary: 'C1';
+        mesh: 'any' | 'triangles';
+    };
     /** The same vertices with the triangles of `indices` as faces. */
     triangulated(): Mesh;
     /** The text of an OBJ file, which reads back as the same mesh, to the bit. */

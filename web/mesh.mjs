@@ -1,11 +1,17 @@
 // Meshes as values. Their lists cross as whole blocks of memory, whatever their length.
 
-import { copyInto, options, target, text } from './check.mjs';
+import { choice, copyInto, integer, options, target, text } from './check.mjs';
 import { describe, KnotworkError } from './errors.mjs';
 import { Held } from './held.mjs';
 import { packedFaces, packedVertices, sendMesh } from './mesh-input.mjs';
 
 /** @typedef {import('./core.mjs').Core} Core */
+
+/** In the order of MeshScheme. */
+const schemes = /** @type {const} */ (['catmull-clark', 'doo-sabin', 'loop', 'butterfly', 'sqrt3']);
+
+/** The core says which number of levels makes a mesh too large. */
+const mostLevels = 1000;
 
 /** Longer texts are refused before they are copied. */
 const longestText = 2 ** 28;
@@ -64,6 +70,31 @@ export class Mesh extends Held {
         return normals;
     }
 
+    /** A finer mesh: `levels` steps of a scheme. @param {string} scheme @param {number} [levels] */
+    subdivide(scheme, levels = 1) {
+        const { core, handle } = Held.of(this);
+        const index = schemeIndex(scheme);
+        const count = integer(levels, 'levels', 0, mostLevels, 'TOO_LARGE');
+        return new Mesh(core, core.ask('meshSubdivided', handle, index, count));
+    }
+
+    /** Where a scheme moves the vertices in the end, and the normals there. @param {string} scheme */
+    limit(scheme) {
+        const { core, handle } = Held.of(this);
+        const count = 3 * core.count('meshLimit', handle, schemeIndex(scheme));
+        const numbers = core.bulkView(2 * count);
+        const limit = { positions: target(undefined, count), normals: target(undefined, count) };
+        copyInto(limit.positions, numbers.subarray(0, count), 0);
+        copyInto(limit.normals, numbers.subarray(count), 0);
+        core.call('dropBulk');
+        return limit;
+    }
+
+    /** What a scheme makes of meshes. @param {string} scheme */
+    classification(scheme) {
+        return Held.of(this).core.json('meshClassification', schemeIndex(scheme));
+    }
+
     /** The same vertices with every face cut into triangles. */
     triangulated() {
         const { core, handle } = Held.of(this);
@@ -85,6 +116,9 @@ export class Mesh extends Held {
         return { vertices: rowsOf(core.doubles(points, 3 * vertices), vertices), faces: facesOf(this) };
     }
 }
+
+/** @param {unknown} scheme */
+const schemeIndex = (scheme) => schemes.indexOf(choice(scheme, 'scheme', schemes));
 
 /**
  * How large a mesh is, and where in memory its lists are.

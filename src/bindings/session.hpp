@@ -1,6 +1,6 @@
 // What one load() holds: B-functions, curves, surfaces, meshes and scenes behind integer handles,
-// and the border's two buffers. Only numbers, strings and addresses cross, so nothing here can throw
-// or be coerced.
+// and the border's two buffers. Only numbers, strings and addresses cross, so nothing here can
+// throw or be coerced.
 //
 // Conventions. Input crosses as CBOR: the facade asks for room(bytes), writes there and passes the
 // number of bytes. A refused call answers 0, false, -1 or "" (whatever cannot be an answer) and
@@ -199,6 +199,12 @@ public:
     [[nodiscard]] Address bulkIndices() const;
     [[nodiscard]] int meshTriangulated(int handle);
     [[nodiscard]] std::string meshObj(int handle);
+    /// `scheme` is the place of one in MeshScheme.
+    [[nodiscard]] int meshSubdivided(int handle, int scheme, int levels);
+    /// bulk: all positions, then all normals. Answers how many vertices, or -1.
+    [[nodiscard]] int meshLimit(int handle, int scheme);
+    /// { approximating, regular, extraordinary, mesh }
+    [[nodiscard]] std::string meshClassification(int scheme) const;
     [[nodiscard]] std::string solids() const;
 
     // Scenes.

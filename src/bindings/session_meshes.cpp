@@ -1,10 +1,12 @@
 // The part of the session that holds meshes.
 #include "bindings/marshal.hpp"
 #include "bindings/session.hpp"
+#include "geometry/mesh_subdivision.hpp"
 #include "geometry/triangulation.hpp"
 #include "scene/mesh_specs.hpp"
 #include "scene/obj.hpp"
 
+#include <cstring>
 #include <string>
 #include <utility>
 
@@ -141,6 +143,35 @@ std::string Session::meshObj(int handle) {
         return {};
     }
     return scene::writeObj(held->mesh);
+}
+
+int Session::meshSubdivided(int handle, int scheme, int levels) {
+    const auto* held = find<MeshValue>(handle);
+    return held ? holdMesh(subdivide(held->mesh, static_cast<MeshScheme>(scheme), levels)) : 0;
+}
+
+int Session::meshLimit(int handle, int scheme) {
+    const auto* held = find<MeshValue>(handle);
+    if (!held) return -1;
+    const auto found = limit(held->mesh, static_cast<MeshScheme>(scheme));
+    if (!found) {
+        refuse(found.error());
+        return -1;
+    }
+    const std::size_t count = found->positions.size();
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    std::vector<double> numbers(6 * count);
+    std::memcpy(numbers.data(), found->positions.data(), count * sizeof(Vec3));
+    std::memcpy(numbers.data() + 3 * count, found->normals.data(), count * sizeof(Vec3));
+    return leave(std::move(numbers), count);
+}
+
+std::string Session::meshClassification(int scheme) const {
+    const MeshClassification known = classification(static_cast<MeshScheme>(scheme));
+    return scene::dumpJson({{"approximating", known.approximating},
+                            {"regular", known.regular},
+                            {"extraordinary", known.extraordinary},
+                            {"mesh", known.mesh}});
 }
 
 std::string Session::solids() const { return scene::dumpJson(scene::describeSolids()); }

@@ -17,11 +17,14 @@ const objects = [
 ];
 const numbersAmiss = [NaN, Infinity, -Infinity];
 
+const noTexts = [undefined, null, true, 0, 0.5, NaN, 1n, Symbol('s'), ...objects];
+
 /** What is wrong where a value of each kind is wanted. */
 export const wrong = {
     number: [undefined, ...primitives, ...objects, ...numbersAmiss],
     integer: [undefined, ...primitives, ...objects, ...numbersAmiss, 0.5, 2 ** 32 + 5, -(2 ** 31) - 1, 2 ** 53, 1e300],
-    string: [undefined, null, true, 0, 0.5, NaN, 1n, Symbol('s'), ...objects],
+    string: noTexts,
+    scheme: [...noTexts, '', 'right'],
     boolean: [undefined, null, '', 'true', 0, 1, NaN, 1n, Symbol('s'), ...objects],
     list: [undefined, ...primitives, 0, 0.5, NaN, {}, { length: 2, 0: 1, 1: 2 }, () => [], new Set([1]), new Int32Array(3), revoked(), new Proxy([], { get: hostile })],
     object: [undefined, ...primitives, 0, 0.5, NaN, [], [1], () => ({}), new Map(), new Date(0), new Float64Array(3), revoked()],
@@ -130,7 +133,8 @@ export const methods = {
         withPose: ['integer', 'object'], blendBasis: ['number'], local: ['integer'], withKnots: ['list', { recut: 'boolean' }],
     },
     Mesh: {
-        vertexNormals: [{ into: 'into' }],
+        vertexNormals: [{ into: 'into' }], subdivide: ['scheme', 'integer?'], limit: ['scheme'],
+        classification: ['scheme'],
     },
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'],
@@ -167,7 +171,8 @@ export function refusalOf(act) {
 
 /** A valid argument of each kind, for the places before the wrong one. */
 export const valid = {
-    number: 0.25, integer: 1, list: [0.25, 0.5], object: { translate: [1, 0] }, string: 'right', into: undefined,
+    number: 0.25, integer: 1, list: [0.25, 0.5], object: { translate: [1, 0] }, string: 'right', scheme: 'loop',
+    into: undefined,
 };
 
 /**

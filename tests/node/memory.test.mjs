@@ -58,6 +58,17 @@ const lives = {
         triangles.dispose();
         mesh.dispose();
     }],
+    'subdivided meshes': [1000, () => {
+        const mesh = kw.mesh({ solid: 'octahedron' });
+        for (const scheme of ['catmull-clark', 'doo-sabin', 'loop', 'butterfly', 'sqrt3']) {
+            const finer = mesh.subdivide(scheme, 2);
+            finer.counts;
+            finer.dispose();
+        }
+        mesh.limit('loop');
+        refuses(() => mesh.subdivide('loop', 20), 'TOO_LARGE', 'levels');
+        mesh.dispose();
+    }],
     'refused meshes': [2000, () => {
         refuses(() => kw.mesh({ vertices: new Float64Array(12), faces: [[0, 1, 2], [0, 1, 3]] }), 'NOT_MANIFOLD', 'edges[0,1]');
         refuses(() => kw.mesh({ obj: 'v 0 0 0\nw' }), 'SYNTAX', 'obj');

@@ -58,7 +58,7 @@ for (const [kind, value] of Object.entries(samples)) {
                 calls += 1;
             }
         }
-        assert.ok(calls > 20);
+        assert.ok(calls > 50);
     });
 }
 

@@ -86,6 +86,9 @@ const solid = kw.mesh({ vertices: [[0, 0], [1, 0, 2], [0, 1]], faces: [[0, 1, 2]
 const flatMesh = kw.mesh({ vertices: new Float64Array(9), faces: cube.faces });
 const again = kw.mesh(kw.mesh({ obj: cube.toObj() }).triangulated().spec);
 const meshLists: [Float64Array, number[][], Uint32Array] = [ring.vertexNormals({ into: again.vertices }), solid.edges, flatMesh.indices];
+const rounded: Float64Array = cube.subdivide('catmull-clark', 2).limit('loop').normals;
+const continuity: 'C1' | 'C2' = cube.classification('sqrt3').regular;
+void [rounded, continuity];
 const boundary: number = cube.counts.boundaryEdges;
 const parametersOfSolids: string[] = kw.solids.flatMap((one) => one.parameters.map(({ label }) => label));
 void [limits, smooth, meshLists, boundary, parametersOfSolids, orders, values, rows, flat, weights, points, parameters, derivatives, shapes, said];
