@@ -166,7 +166,7 @@ TEST(MeshSubdivision, IsAffinelyInvariant) {
             lists.points = moved(lists.points, by, shift);
             const Mesh after = finer(*test::meshOf(lists.points, lists.faces), scheme, 3);
             const auto before = moved(finer(mesh, scheme, 3).points(), by, shift);
-            EXPECT_LT(farthestPoint(after.points(), before), 20 * test::gates::subdivided)
+            EXPECT_LT(farthestPoint(after.points(), before), test::gates::affineLevels)
                 << name << ' ' << nameOf(scheme);
         }
     }
