@@ -724,11 +724,13 @@ export type TraceArguments =
     /** Degree 3, one level, open unless said otherwise. */
     | { algorithm: 'lane-riesenfeld'; points: Points; closed?: boolean; degree?: number; levels?: number }
     /** Tension 1/16, one level, open unless said otherwise. */
-    | { algorithm: 'four-point'; points: Points; closed?: boolean; tension?: number; levels?: number };
+    | { algorithm: 'four-point'; points: Points; closed?: boolean; tension?: number; levels?: number }
+    /** A mesh; one level unless said otherwise. */
+    | { algorithm: 'catmull-clark'; mesh: MeshSpec; levels?: number };
 
 /**
  * The first frame shows where the algorithm begins, the last one its result: the last point of its
- * points, or all of them where the result is a polygon.
+ * points, or all of them where the result is a polygon or a mesh.
  */
 export interface Trace {
     algorithm: TraceArguments['algorithm'];

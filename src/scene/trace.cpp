@@ -1,6 +1,7 @@
 #include "scene/trace.hpp"
 
 #include "scene/json_values.hpp"
+#include "scene/mesh_specs.hpp"
 #include "scene/specs.hpp"
 #include "scene/surface_specs.hpp"
 #include "scene/trace_algorithms.hpp"
@@ -58,6 +59,13 @@ constexpr std::array fourPointFields{
           .help = "How much the outer neighbours count.", .min = -1, .max = 1,
           .defaultJson = "0.0625"},
     levelsField};
+
+/// Beside `mesh`, which makeMesh() checks.
+constexpr std::array meshFields{
+    algorithmField,
+    Field{.name = "levels", .label = "Levels", .kind = FieldKind::integer,
+          .help = "How often the mesh is refined.", .min = 0, .max = maxSubdivisionLevels,
+          .maxIsSize = true, .defaultJson = "1"}};
 
 /// The curve behind the field, of the kind that the algorithm works on.
 template <class Kind>
@@ -121,10 +129,25 @@ CurveSubdivision subdivisionOf(const Json& arguments, CurveScheme scheme) {
     return input;
 }
 
+Result<Trace> catmullClarkOf(const Json& given) {
+    const Json* spec = member(given, "mesh");
+    if (spec == nullptr) {
+        return refuse(Code::wrongType, "mesh",
+                      "The field \"mesh\" is missing: The mesh that the algorithm works on.");
+    }
+    Json rest = given;
+    rest.erase("mesh");
+    const auto arguments = readGroup(rest, FieldTable(meshFields).all());
+    if (!arguments) return arguments.error();
+    const auto mesh = makeMesh(*spec);
+    if (!mesh) return mesh.error().under("mesh");
+    return traceCatmullClark(mesh->value, static_cast<int>(numberOr(*arguments, "levels", 1)));
+}
+
 /// In the order in which refusals list them.
 struct Algorithm {
     std::string_view name;
-    FieldTable fields;
+    FieldTable fields;  ///< none where the function reads what is given itself
     Result<Trace> (*trace)(const Json& arguments);
 };
 
@@ -149,6 +172,7 @@ constexpr std::array algorithms{
               [](const Json& a) {
                   return traceAt<BlendingCurve>(a, "blending-curve", traceBlend);
               }},
+    Algorithm{"catmull-clark", {}, catmullClarkOf},
 };
 
 /// What `blend` does with a surface instead of a curve.
@@ -209,6 +233,7 @@ Json frameJson(const TraceFrame& frame) {
 Result<Trace> makeTrace(const Json& given) {
     const auto algorithm = algorithmOf(given);
     if (!algorithm) return algorithm.error();
+    if ((*algorithm)->fields.all().empty()) return (*algorithm)->trace(given);
     const auto arguments = readGroup(given, (*algorithm)->fields.all());
     if (!arguments) return arguments.error();
     return (*algorithm)->trace(*arguments);

@@ -41,10 +41,11 @@ struct Trace {
 ///   de-boor, cox-de-boor, factor-matrices { curve, t }   boehm { curve, knot }
 ///   oslo { curve, knots }   lane-riesenfeld { points, closed, degree, levels }
 ///   blend { curve, t } or { surface, u, v }   four-point { points, closed, tension, levels }
+///   catmull-clark { mesh, levels }
 /// Refusals: WRONG_TYPE and UNKNOWN_NAME `algorithm`; UNKNOWN_FIELD and what the fields refuse, at
-/// their paths; NOT_SUPPORTED `curve.type`, `surface.type`; OUT_OF_RANGE `t`, `u`, `v`; as insertKnot() does, `knot`; and
-/// TOO_LARGE where there is more than anybody can look at: 2 000 frames, 20 000 points or 500 000
-/// weights and entries of matrices in all.
+/// their paths; NOT_SUPPORTED `curve.type`, `surface.type`; OUT_OF_RANGE `t`, `u`, `v`; as
+/// insertKnot() does, `knot`; and TOO_LARGE where there is more than anybody can look at: 2 000
+/// frames, 20 000 points or 500 000 weights and entries of matrices in all.
 [[nodiscard]] Result<Trace> makeTrace(const Json& given);
 
 /// `{ algorithm, frames: [{ title, text, points, edges, marked, weights?, matrix?, formula?, key,

@@ -5,6 +5,7 @@
 #include "geometry/blending_surface.hpp"
 #include "geometry/bspline_curve.hpp"
 #include "geometry/curve_subdivision.hpp"
+#include "geometry/mesh.hpp"
 #include "scene/trace.hpp"
 
 #include <vector>
@@ -26,5 +27,8 @@ namespace knotwork::scene {
 // Of a subdivision by the scheme of the name; refuse what checkSubdivision() refuses.
 [[nodiscard]] Result<Trace> traceLaneRiesenfeld(const CurveSubdivision& subdivision);
 [[nodiscard]] Result<Trace> traceFourPoint(const CurveSubdivision& subdivision);
+
+/// `levels` ≥ 0; refuses at `levels` what makes the mesh too large.
+[[nodiscard]] Result<Trace> traceCatmullClark(const Mesh& mesh, int levels);
 
 }  // namespace knotwork::scene

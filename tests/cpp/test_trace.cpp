@@ -14,7 +14,7 @@ TEST(Trace, RefusesWhatItDoesNotKnow) {
     expectRefused("[]", Code::wrongType, "");
     expectRefused("{}", Code::wrongType, "algorithm");
     expectRefused(R"({"algorithm":7})", Code::wrongType, "algorithm");
-    expectRefused(R"({"algorithm":"catmull-clark","mesh":{},"levels":1})", Code::unknownName,
+    expectRefused(R"({"algorithm":"doo-sabin","mesh":{},"levels":1})", Code::unknownName,
                   "algorithm");
     expectRefused(R"({"algorithm":"de-boor"})", Code::wrongType, "curve");
     expectRefused(onQuadratic("de-boor", "\"knot\":1"), Code::unknownField, "knot");
