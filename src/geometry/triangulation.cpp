@@ -31,15 +31,18 @@ bool cutsFromSecond(std::span<const Vec3> points, Quad quad) noexcept {
 std::vector<std::uint32_t> triangleIndices(const Mesh& mesh) {
     const FaceRows faces = mesh.faces();
     if (mesh.uniformSize() == 3) return {faces.corners.begin(), faces.corners.end()};
-    std::vector<std::uint32_t> indices;
-    indices.reserve(3 * (faces.corners.size() - 2 * faces.count()));
-    for (std::size_t f = 0; f < faces.count(); ++f) {
+    std::vector<std::uint32_t> indices(3 * (faces.corners.size() - 2 * faces.count()));
+    const std::span<const Vec3> points = mesh.points();
+    std::uint32_t* to = indices.data();
+    const std::size_t count = faces.count();
+    for (std::size_t f = 0; f < count; ++f) {
         const auto face = faces[f];
-        const std::size_t first = face.size() == 4 && cutsFromSecond(mesh.points(), face) ? 1 : 0;
-        for (std::size_t j = 2; j < face.size(); ++j) {
-            for (const std::size_t corner : {first, first + j - 1, first + j}) {
-                indices.push_back(face[corner < face.size() ? corner : corner - face.size()]);
-            }
+        const std::size_t first = face.size() == 4 && cutsFromSecond(points, face) ? 1 : 0;
+        for (std::size_t j = 2; j < face.size(); ++j, to += 3) {
+            const std::size_t last = first + j;
+            to[0] = face[first];
+            to[1] = face[last - 1];
+            to[2] = face[last < face.size() ? last : 0];
         }
     }
     return indices;

@@ -14,6 +14,8 @@ namespace knotwork::scene {
 
 namespace {
 
+__extension__ using Wide = unsigned __int128;
+
 constexpr std::size_t longestQuote = 40;
 
 /// The words of the format that say nothing about vertices and faces.
@@ -139,22 +141,47 @@ std::optional<Decimal> decimalOf(std::string_view word) noexcept {
     return decimal;
 }
 
-/// Correctly rounded: up to 15 digits and powers of ten up to 22 are exact, so that one operation
+/// digits / 10^power, correctly rounded, for powers up to 19 and digits that are not 0: an integer
+/// division of 128 bits by 64, whose remainder says to which side what lies on the middle goes.
+double quotient(std::uint64_t digits, std::size_t power) noexcept {
+    std::uint64_t divisor = 1;
+    for (std::size_t i = 0; i < power; ++i) divisor *= 10;
+    int shift = 0;  // by which digits and divisor both get 64 bits, so that the quotient has 63 or 64
+    for (; (digits >> 63U) == 0; ++shift) digits <<= 1U;
+    for (; (divisor >> 63U) == 0; --shift) divisor <<= 1U;
+    const Wide above = Wide{digits} << 63U;
+    auto bits = static_cast<std::uint64_t>(above / divisor);
+    const bool rest = bits * Wide{divisor} != above;
+    for (; (bits >> 63U) == 0; ++shift) bits <<= 1U;
+    constexpr std::uint64_t below = 0x7ff;  // what a double has no room for
+    constexpr std::uint64_t half = 0x400;
+    const std::uint64_t low = bits & below;
+    const bool odd = (bits & (below + 1)) != 0;
+    const bool up = low > half || (low == half && (rest || odd));
+    const double kept = static_cast<double>((bits >> 11U) + (up ? 1U : 0U));
+    return std::ldexp(kept, 11 - 63 - shift);
+}
+
+/// Correctly rounded. Up to 15 digits and powers of ten up to 22 are exact, so that one operation
 /// rounds once (W. Clinger, How to read floating point numbers accurately, 1990).
 std::optional<double> numberOf(std::string_view word) {
     const auto decimal = decimalOf(word);
     if (!decimal) return std::nullopt;
     constexpr int exactDigits = 15;
+    constexpr int wholeDigits = 19;  // of 64 bits
     static constexpr std::array exactPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                             1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                             1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     const auto power = static_cast<std::size_t>(std::abs(decimal->exponent));
-    if (decimal->count > exactDigits || power >= exactPowers.size()) {
+    double size = 0;
+    if (decimal->count <= exactDigits && power < exactPowers.size()) {
+        const auto digits = static_cast<double>(decimal->digits);
+        size = decimal->exponent < 0 ? digits / exactPowers[power] : digits * exactPowers[power];
+    } else if (decimal->count <= wholeDigits && decimal->exponent <= 0 && power <= wholeDigits) {
+        size = quotient(decimal->digits, power);
+    } else {
         return std::strtod(std::string(word).c_str(), nullptr);
     }
-    const auto digits = static_cast<double>(decimal->digits);
-    const double size =
-        decimal->exponent < 0 ? digits / exactPowers[power] : digits * exactPowers[power];
     return decimal->negative ? -size : size;
 }
 

@@ -76,15 +76,23 @@ TEST(Obj, ReadsNumbersAsTheStandardLibraryDoes) {
                                      "0.000000000000000000000000000001", "1e-320", "1e+5",
                                      "000000000000000000000000000000012.5",
                                      "4.9406564584124654e-324", "999999999999.9999"};
-    std::uniform_real_distribution<double> value(-1e3, 1e3);
-    for (int i = 0; i < 2000; ++i) {
-        char text[40];
-        std::snprintf(text, sizeof text, "%.*g", 1 + i % 18, value(engine));
+    std::uniform_real_distribution<double> value(-1, 1);
+    for (int i = 0; i < 20'000; ++i) {
+        char text[60];
+        const double size = std::ldexp(1.0, i % 80 - 40);
+        const char* form = i % 3 == 0 ? "%.*f" : i % 3 == 1 ? "%.*g" : "%.*e";
+        std::snprintf(text, sizeof text, form, 1 + i % 21, value(engine) * size);
         numbers.emplace_back(text);
+    }
+    // Just beside the middle of two doubles.
+    for (const std::string half :
+         {"0.50000000000000005551", "1.0000000000000001110", "2.0000000000000002220",
+          "4503599627.3704965", "0.12500000000000001388"}) {
+        numbers.push_back(half);
     }
     std::string text;
     for (const std::string& number : numbers) {
-        // Whatever is out of range for a mesh is scaled down by the vertex before it.
+        // Out of range for a mesh.
         if (std::abs(std::strtod(number.c_str(), nullptr)) > 1e12) continue;
         text += "v " + number + " 0 0\n";
     }

@@ -154,6 +154,35 @@ test('the second identical call takes no more memory than the first', () => {
     assert.ok(kw.session.memoryInUse() < bytes);
 });
 
+test('subdividing a mesh takes at most three times the memory of the finished one', async () => {
+    const { instantiate } = WebAssembly;
+    /** @type {WebAssembly.Memory[]} */
+    const memories = [];
+    WebAssembly.instantiate = async (...given) => {
+        const made = await instantiate(...given);
+        memories.push(...Object.values((made.instance ?? made).exports).filter((one) => one instanceof WebAssembly.Memory));
+        return made;
+    };
+    try {
+        for (const [scheme, spec, levels] of [
+            ['catmull-clark', { solid: 'cube' }, 9], ['loop', { solid: 'icosahedron' }, 8], ['doo-sabin', { solid: 'cube' }, 9],
+            ['butterfly', { solid: 'icosahedron' }, 8], ['sqrt3', { solid: 'icosahedron' }, 10],
+        ]) {
+            const one = await load();
+            const memory = memories.pop();
+            const before = memory.buffer.byteLength;
+            const mesh = one.mesh(spec).subdivide(scheme, levels);
+            const taken = memory.buffer.byteLength - before;
+            const corners = mesh.indices.length / 3 + 2 * mesh.counts.faces;
+            const finished = 8 * mesh.vertices.length + 4 * corners;
+            assert.ok(finished > 2 ** 24, `${scheme}: ${finished} bytes are too few to be judged`);
+            assert.ok(taken <= 3 * finished, `${scheme} took ${taken / finished} times the mesh`);
+        }
+    } finally {
+        WebAssembly.instantiate = instantiate;
+    }
+});
+
 test('a module that ran out of memory says so ever after, and the next is fresh', async () => {
     const one = await load();
     const value = one.bFunction({ family: 'linear' });
