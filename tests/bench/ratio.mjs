@@ -1,7 +1,7 @@
 // How many times faster one of two ways is, on a machine whose speed drifts by a factor of two:
 // both alternate inside one process, and the ratio of their medians is what counts.
 
-const rounds = 9;
+const usualRounds = 9;
 const tries = 3;
 const warmth = 200;  // milliseconds
 
@@ -49,9 +49,10 @@ async function warmUp(work, clock) {
  * @param {Timed} ours
  * @param {Timed} theirs
  * @param {Clock} [clock]
+ * @param {number} [rounds] fewer where one call takes many seconds
  * @returns {Promise<{ ratio: number, ours: number, theirs: number }>} milliseconds are medians
  */
-export async function compare(ours, theirs, clock = () => performance.now()) {
+export async function compare(ours, theirs, clock = () => performance.now(), rounds = usualRounds) {
     await warmUp(ours, clock);
     await warmUp(theirs, clock);
     /** @type {number[]} */

@@ -6,6 +6,7 @@ import process from 'node:process';
 import { blendingCases } from './cases/blending.mjs';
 import { curveCases } from './cases/curves.mjs';
 import { fittingCases } from './cases/fitting.mjs';
+import { meshCases } from './cases/meshes.mjs';
 import { nativeCases } from './cases/native.mjs';
 import { refinementCases } from './cases/refinement.mjs';
 import { subdivisionCases } from './cases/subdivision.mjs';
@@ -17,7 +18,8 @@ import { compare, largestDifference } from './ratio.mjs';
 /** @typedef {{ peer: Peer, ours: number, theirs: number, ratio: number }} Row */
 
 const cases = [
-    ...curveCases, ...refinementCases, ...fittingCases, ...subdivisionCases, ...blendingCases, ...nativeCases,
+    ...curveCases, ...refinementCases, ...fittingCases, ...subdivisionCases, ...blendingCases, ...meshCases,
+    ...nativeCases,
 ];
 
 /** @param {Work} work */
@@ -36,19 +38,24 @@ async function resultOf(work) {
 async function measure(given, ours, peer) {
     const theirs = await peer.work(kw);
     if (typeof theirs === 'string') return theirs;
-    const difference = largestDifference(await resultOf(ours), await resultOf(theirs));
+    const same = peer.same ? await peer.same(kw) : ours;
+    const difference = largestDifference(await resultOf(same), await resultOf(theirs));
     if (!(difference <= peer.tolerance)) {
         throw new Error(`${given.name}: ${peer.name} and we differ by ${difference}`);
     }
-    const times = await compare(ours, theirs);
+    const times = await compare(ours, theirs, undefined, peer.rounds);
     theirs.dispose();
-    const perUnit = 1e6 / given.amount;  // milliseconds to nanoseconds
-    return { peer, ours: times.ours * perUnit, theirs: times.theirs * perUnit, ratio: times.ratio };
+    const toNanoseconds = 1e6;
+    const perUnit = { ours: times.ours * toNanoseconds / given.amount, theirs: times.theirs * toNanoseconds / (peer.amount ?? given.amount) };
+    return { peer, ...perUnit, ratio: perUnit.theirs / perUnit.ours };
 }
 
 /** @param {Row} row */
 function verdict({ peer, ratio }) {
     if (peer.atMost !== undefined) return `at most ${peer.atMost}: ${1 / ratio <= peer.atMost ? 'kept' : 'MISSED'}`;
+    if (peer.within !== undefined) {
+        return `equal within ${peer.within}: ${Math.abs(1 / ratio - 1) <= peer.within ? 'kept' : 'MISSED'}`;
+    }
     if (peer.atLeast === undefined) return '';
     return `at least ${peer.atLeast}: ${ratio >= peer.atLeast ? 'kept' : 'MISSED'}`;
 }

@@ -4,6 +4,7 @@ import { test } from 'node:test';
 
 import { peers } from '../bench/peers/curves.mjs';
 import { compare, largestDifference, median } from '../bench/ratio.mjs';
+import { catmullClark } from '../bench/peers/typed-array-catmull-clark.mjs';
 import { clampedSpline } from '../bench/splines.mjs';
 
 test('the median is the middle one, or the mean of the two', () => {
@@ -41,4 +42,14 @@ test('every peer computes the same curve', () => {
         assert.ok(largestDifference(xyz, results[0]) < 1e-12, peers[i].name);
     }
     assert.deepEqual(Array.from(results[0].subarray(0, 3)), spline.points[0]);
+});
+
+test('the typed-array Catmull–Clark of a cube has the corners that a hand computes', () => {
+    const positions = Float64Array.from([-1, 1].flatMap((z) => [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) => [x, y, z])).flat());
+    const quads = Uint32Array.of(0, 3, 2, 1, 4, 5, 6, 7, 0, 1, 5, 4, 1, 2, 6, 5, 2, 3, 7, 6, 3, 0, 4, 7);
+    const once = catmullClark({ positions, quads }, 1);
+    assert.equal(once.positions.length, 3 * 26);
+    assert.equal(once.quads.length, 4 * 24);
+    assert.ok(largestDifference(once.positions.subarray(0, 24), positions.map((x) => x * 5 / 9)) < 1e-15);
+    assert.equal(catmullClark({ positions, quads }, 3).positions.length, 3 * 386);
 });

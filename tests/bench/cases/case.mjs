@@ -16,6 +16,10 @@
  * @property {number} tolerance of the difference between our result and theirs
  * @property {number} [atLeast] how many times faster we promise to be
  * @property {number} [atMost] how many times its time we promise to take at most
+ * @property {number} [rounds] how often both are measured, where one call takes many seconds
+ * @property {number} [within] by how much the times for one unit may differ, as a part of them
+ * @property {number} [amount] how much they do in one act, where it is not what we do
+ * @property {(kw: any) => Work} [same] our work of that amount, with which theirs is compared
  * @property {(kw: any) => Work | string | Promise<Work | string>} work or why it is not there
  */
 

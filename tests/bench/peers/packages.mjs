@@ -14,5 +14,6 @@ function quietly(name) {
     }
 }
 
+export const glCatmullClark = require('gl-catmull-clark');
 export const nurbs = require('nurbs');
 export const verb = quietly('verb-nurbs-web');
