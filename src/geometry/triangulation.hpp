@@ -8,8 +8,8 @@
 
 namespace knotwork {
 
-/// Three vertices a triangle, face by face and round as the faces go: n − 2 triangles of a face of n
-/// vertices. A quad is cut along its shorter diagonal (the first on a tie), unless the triangles
+/// Three vertices a triangle, face by face and round as the faces go: n − 2 triangles of a face of
+/// n vertices. A quad is cut along its shorter diagonal (the first on a tie), unless the triangles
 /// would then face opposite ways and those along the other would not. A larger face is cut from
 /// its first vertex, which is right for convex ones. O(n).
 [[nodiscard]] std::vector<std::uint32_t> triangleIndices(const Mesh& mesh);

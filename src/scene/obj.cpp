@@ -146,7 +146,7 @@ std::optional<Decimal> decimalOf(std::string_view word) noexcept {
 double quotient(std::uint64_t digits, std::size_t power) noexcept {
     std::uint64_t divisor = 1;
     for (std::size_t i = 0; i < power; ++i) divisor *= 10;
-    int shift = 0;  // by which digits and divisor both get 64 bits, so that the quotient has 63 or 64
+    int shift = 0;  // that gives digits and divisor 64 bits each, and the quotient 63 or 64
     for (; (digits >> 63U) == 0; ++shift) digits <<= 1U;
     for (; (divisor >> 63U) == 0; --shift) divisor <<= 1U;
     const Wide above = Wide{digits} << 63U;
