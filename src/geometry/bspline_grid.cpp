@@ -3,7 +3,6 @@
 #include "geometry/bspline_curve.hpp"
 #include "geometry/bspline_kernels.hpp"
 #include "geometry/polynomial_piece.hpp"
-#include "geometry/surface_differential.hpp"
 #include "geometry/surface_kernels.hpp"
 
 #include <algorithm>
@@ -38,6 +37,18 @@ double largestSlope(const KnotVector& knots, std::size_t lines, PointAt pointAt)
     return largest * static_cast<double>(degree);
 }
 
+double leastNormal(const BsplineSurface& surface) noexcept {
+    const auto net = surface.points();
+    const std::size_t columns = surface.columnCount();
+    const double alongU =
+        largestSlope(surface.knotsU(), columns,
+                     [&](std::size_t i, std::size_t j) { return net[i * columns + j]; });
+    const double alongV =
+        largestSlope(surface.knotsV(), surface.rowCount(),
+                     [&](std::size_t j, std::size_t i) { return net[i * columns + j]; });
+    return clearly * alongU * alongV;
+}
+
 }  // namespace
 
 BasisTable::BasisTable(const KnotVector& knots, const GridLine& line)
@@ -65,15 +76,7 @@ PolynomialGrid::PolynomialGrid(const BsplineSurface& surface, const GridLine& u,
     addNet(surface);
     row_.resize(2 * rowSize_);
     inverses_.resize(v.count + 1);
-    const auto net = surface.points();
-    const std::size_t columns = surface.columnCount();
-    const double alongU = largestSlope(surface.knotsU(), columns, [&](std::size_t i, std::size_t j) {
-        return net[i * columns + j];
-    });
-    const double alongV =
-        largestSlope(surface.knotsV(), surface.rowCount(),
-                     [&](std::size_t j, std::size_t i) { return net[i * columns + j]; });
-    least_ = clearly * alongU * alongV;
+    least_ = leastNormal(surface);
 }
 
 void PolynomialGrid::addRuns(const KnotVector& knots, const GridLine& v) {
@@ -156,55 +159,43 @@ void PolynomialGrid::columns(std::size_t first, std::size_t count, double* posit
 TensorGrid::TensorGrid(const BsplineSurface& surface, const GridLine& u, const GridLine& v)
     : surface_(surface),
       basisU_(surface.knotsU(), u),
-      basisV_(surface.knotsV(), v),
-      lengthU_(u.domain.length()),
-      lengthV_(v.domain.length()),
-      collapsed_(2 * surface.columnCount()) {}
+      components_(surface.rational() ? 4 : 3),
+      columns_(v.count, static_cast<std::size_t>(surface.knotsV().degree()) + 1, components_,
+               leastNormal(surface)) {
+    const BasisTable basisV(surface.knotsV(), v);
+    const std::size_t degree = basisV.terms() - 1;
+    for (std::size_t j = 0; j < v.count; ++j) {
+        const double* values = basisV.at(j);
+        columns_.add(j, basisV.span(j) - degree, values, values + basisV.terms(), 1);
+    }
+    for (std::size_t k = 0; k < surface.points().size(); ++k) {
+        const double weight = surface.rational() ? surface.weights()[k] : 1;
+        const Vec3 point = weight * surface.points()[k];
+        net_.insert(net_.end(), {point.x, point.y, point.z});
+        if (surface.rational()) net_.push_back(weight);
+    }
+    row_.resize(2 * components_ * (surface.columnCount() + degree));
+}
 
 void TensorGrid::prepare(std::size_t row) noexcept {
     const std::size_t terms = basisU_.terms();
-    const std::size_t columns = surface_.columnCount();
+    const std::size_t rowSize = components_ * surface_.columnCount();
     const double* values = basisU_.at(row);
-    std::fill(collapsed_.begin(), collapsed_.end(), Homogeneous(0));
+    std::fill(row_.begin(), row_.end(), 0.0);
     for (std::size_t i = 0; i < terms; ++i) {
         const std::size_t line = surface_.knotsU().pointIndex(basisU_.span(row), i);
-        for (std::size_t j = 0; j < columns; ++j) {
-            const std::size_t k = line * columns + j;
-            const double weight = surface_.rational() ? surface_.weights()[k] : 1;
-            const Homogeneous point(weight * surface_.points()[k], weight);
-            collapsed_[j] += values[i] * point;
-            collapsed_[columns + j] += values[terms + i] * point;
+        const double* from = &net_[line * rowSize];
+        double* to = row_.data();
+        for (std::size_t k = 0; k < rowSize; k += components_, to += 2 * components_) {
+            for (std::size_t c = 0; c < components_; ++c) {
+                to[c] += values[i] * from[k + c];
+                to[components_ + c] += values[terms + i] * from[k + c];
+            }
         }
     }
-}
-
-void TensorGrid::columns(std::size_t first, std::size_t count, double* positions,
-                         double* normals) noexcept {
-    unclear_.clear();
-    const std::size_t terms = basisV_.terms();
-    const Homogeneous* slopes = &collapsed_[surface_.columnCount()];
-    for (std::size_t j = first; j < first + count; ++j) {
-        const double* values = basisV_.at(j);
-        Homogeneous point(0);
-        Homogeneous along(0);
-        Homogeneous across(0);
-        for (std::size_t i = 0; i < terms; ++i) {
-            const std::size_t column = surface_.knotsV().pointIndex(basisV_.span(j), i);
-            point += values[i] * collapsed_[column];
-            along += values[i] * slopes[column];
-            across += values[terms + i] * collapsed_[column];
-        }
-        const Vec3 s = surface_.rational() ? Vec3(point) / point.w : Vec3(point);
-        const Vec3 su = surface_.rational() ? (Vec3(along) - along.w * s) / point.w : Vec3(along);
-        const Vec3 sv =
-            surface_.rational() ? (Vec3(across) - across.w * s) / point.w : Vec3(across);
-        const Vec3 normal = plainNormal(su, sv, lengthU_, lengthV_);
-        if (normal == Vec3(0)) unclear_.push_back(j);
-        for (int axis = 0; axis < 3; ++axis) {
-            *positions++ = s[axis];
-            *normals++ = normal[axis];
-        }
-    }
+    if (!surface_.knotsV().closed()) return;
+    const auto beyond = row_.begin() + static_cast<std::ptrdiff_t>(2 * rowSize);
+    std::copy_n(row_.begin(), row_.end() - beyond, beyond);
 }
 
 }  // namespace knotwork

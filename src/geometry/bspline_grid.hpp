@@ -3,7 +3,7 @@
 
 #include "geometry/bspline_surface.hpp"
 #include "geometry/grid_line.hpp"
-#include "geometry/homogeneous.hpp"
+#include "geometry/table_grid.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -76,17 +76,21 @@ public:
 
     void prepare(std::size_t row) noexcept;
     void columns(std::size_t first, std::size_t count, double* positions,
-                 double* normals) noexcept;
-    [[nodiscard]] const std::vector<std::size_t>& unclear() const noexcept { return unclear_; }
+                 double* normals) noexcept {
+        columns_.columns(first, count, row_.data(), positions, normals);
+    }
+    [[nodiscard]] const std::vector<std::size_t>& unclear() const noexcept {
+        return columns_.unclear();
+    }
 
 private:
     const BsplineSurface& surface_;
     BasisTable basisU_;
-    BasisTable basisV_;
-    double lengthU_;
-    double lengthV_;
-    std::vector<Homogeneous> collapsed_;  // the net's columns at the row's u, and their derivatives
-    std::vector<std::size_t> unclear_;
+    std::size_t components_;   // 3, or 4 of a rational surface
+    std::vector<double> net_;  // the control points by components, row by row
+    std::vector<double> row_;  // the net's columns at the row's u: S and Su, those of a closed
+                               // direction beyond its seam too
+    TableColumns columns_;
 };
 
 }  // namespace knotwork

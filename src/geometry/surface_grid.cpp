@@ -4,6 +4,7 @@
 #include "geometry/bspline_grid.hpp"
 #include "geometry/polynomial_piece.hpp"
 #include "geometry/surface_differential.hpp"
+#include "geometry/table_grid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,56 +22,6 @@ void write(const Vec3& v, double* to) noexcept {
 
 /// The power forms of all rows of the net pay where there are more points of the grid than of it.
 constexpr std::size_t worthwhile = 4;
-
-/// Parametric surfaces: S = Σ_k f_k(u) g_k(v) e_k from tables of f_k and g_k.
-class ProductGrid {
-public:
-    ProductGrid(const ParametricSurface& surface, const GridLine& u, const GridLine& v)
-        : axes_(surface.axes()), terms_(axes_.size()), lengthU_(u.domain.length()),
-          lengthV_(v.domain.length()), alongU_(2 * terms_ * u.count),
-          alongV_(2 * terms_ * v.count) {
-        for (std::size_t i = 0; i < u.count; ++i) {
-            surface.factorsU(u.at(i).parameter, 1, std::span(alongU_).subspan(2 * terms_ * i));
-        }
-        for (std::size_t j = 0; j < v.count; ++j) {
-            surface.factorsV(v.at(j).parameter, 1, std::span(alongV_).subspan(2 * terms_ * j));
-        }
-    }
-
-    void prepare(std::size_t row) noexcept { row_ = &alongU_[2 * terms_ * row]; }
-
-    void columns(std::size_t first, std::size_t count, double* positions,
-                 double* normals) noexcept {
-        unclear_.clear();
-        for (std::size_t j = first; j < first + count; ++j, positions += 3, normals += 3) {
-            const double* g = &alongV_[2 * terms_ * j];
-            Vec3 s(0);
-            Vec3 su(0);
-            Vec3 sv(0);
-            for (std::size_t k = 0; k < terms_; ++k) {
-                const std::uint8_t axis = axes_[k];
-                s[axis] += row_[2 * k] * g[2 * k];
-                su[axis] += row_[2 * k + 1] * g[2 * k];
-                sv[axis] += row_[2 * k] * g[2 * k + 1];
-            }
-            const Vec3 normal = plainNormal(su, sv, lengthU_, lengthV_);
-            if (normal == Vec3(0)) unclear_.push_back(j);
-            write(s, positions);
-            write(normal, normals);
-        }
-    }
-    [[nodiscard]] const std::vector<std::size_t>& unclear() const noexcept { return unclear_; }
-
-private:
-    std::span<const std::uint8_t> axes_;
-    std::size_t terms_;
-    double lengthU_;
-    double lengthV_;
-    std::vector<double> alongU_;  // f_k and its derivative, k by k, parameter by parameter
-    std::vector<double> alongV_;
-    const double* row_ = nullptr;
-    std::vector<std::size_t> unclear_;
-};
 
 using Rows = std::variant<PolynomialGrid, TensorGrid, ProductGrid, BlendedPolynomialGrid,
                           BlendedModelGrid, BlendedPointGrid>;

@@ -60,6 +60,56 @@ template <std::size_t Fixed>
     return inverse;
 }
 
+/// Σ_k values_k row_k and the same of slopes, for two columns: values of term k stand at
+/// [k · stride], those of the row at [2k · Components], S and then Su. With four components the last
+/// is the weight by which the others are divided.
+struct RowTable {
+    const double* values;
+    const double* slopes;
+    std::size_t stride;
+    const double* row;
+    std::size_t terms;
+};
+
+template <std::size_t Components>
+[[nodiscard]] inline Double2 tablePair(const RowTable& table, double* position,
+                                       double* normal) noexcept {
+    std::array<Double2, Components> point;
+    std::array<Double2, Components> along;
+    std::array<Double2, Components> across;
+    point.fill(simd::splat(0));
+    along.fill(simd::splat(0));
+    across.fill(simd::splat(0));
+    for (std::size_t k = 0; k < table.terms; ++k) {
+        const Double2 value = simd::load(table.values + k * table.stride);
+        const Double2 slope = simd::load(table.slopes + k * table.stride);
+        const double* of = table.row + 2 * Components * k;
+        for (std::size_t c = 0; c < Components; ++c) {
+            const Double2 term = simd::loadSplat(of + c);
+            point[c] = point[c] + value * term;
+            across[c] = across[c] + slope * term;
+            along[c] = along[c] + value * simd::loadSplat(of + Components + c);
+        }
+    }
+    Double2 scale = simd::splat(1);
+    if constexpr (Components == 4) {
+        // w² (Su × Sv) without the divisions that do not turn it.
+        const Double2 inverse = simd::splat(1) / point[3];
+        for (std::size_t c = 0; c < 3; ++c) {
+            point[c] = point[c] * inverse;
+            along[c] = along[c] - along[3] * point[c];
+            across[c] = across[c] - across[3] * point[c];
+        }
+        scale = inverse * inverse;
+    }
+    simd::storeInterleaved(position, point[0], point[1], point[2]);
+    Double2 inverse;
+    const Points2 unit = unitCross({along[0], along[1], along[2]},
+                                   {across[0], across[1], across[2]}, inverse);
+    simd::storeInterleaved(normal, unit.x, unit.y, unit.z);
+    return inverse / scale;
+}
+
 /// `count` points; `ws` must reach to the next even number. Answers the largest 1/|Su × dS/dw|;
 /// each by itself is left in `inverses`, which reaches as far as `ws`.
 template <std::size_t Fixed>

@@ -46,6 +46,37 @@ TEST(SurfaceDifferential, TheNormalIsTheCrossProduct) {
     }
 }
 
+TEST(SurfaceDifferential, CurvaturesAreThoseOfTheFundamentalForms) {
+    for (const BsplineSurface& spline : test::surfacesOfEveryForm(3, 3)) {
+        const Surface surface = spline;
+        const Rectangle whole = spline.domain();
+        for (const double share : {0.13, 0.42, 0.77}) {
+            const SurfacePlace at{whole.u.start + share * whole.u.length(),
+                                  whole.v.end - share * whole.v.length()};
+            const auto rows = test::matrixAt(surface, at, {2, 2});
+            const Vec3& su = rows[3];
+            const Vec3& sv = rows[1];
+            const Vec3 cross = glm::cross(su, sv);
+            const double area = glm::dot(cross, cross);
+            if (area < 1e-4) continue;
+            const Vec3 n = cross / std::sqrt(area);
+            const double e = glm::dot(rows[6], n);
+            const double f = glm::dot(rows[4], n);
+            const double g = glm::dot(rows[2], n);
+            const double gaussian = (e * g - f * f) / area;
+            const double mean = (e * glm::dot(sv, sv) - 2 * f * glm::dot(su, sv) +
+                                 g * glm::dot(su, su)) / (2 * area);
+            const auto found = curvatures(surface, at);
+            ASSERT_TRUE(found.ok());
+            const double size = 1 + mean * mean + std::abs(gaussian);
+            EXPECT_NEAR(found->gaussian, gaussian, gates::generalCurvature * size);
+            EXPECT_NEAR(found->mean, mean, gates::generalCurvature * size);
+            EXPECT_NEAR(found->k1 * found->k2, gaussian, gates::generalCurvature * size);
+            EXPECT_GE(found->k1, found->k2);
+        }
+    }
+}
+
 TEST(SurfaceDifferential, ASphereIsEquallyCurvedEverywhereAndItsNormalPointsOutwards) {
     const Surface sphere = model("sphere", {{"radius", 2}});
     for (const double u : {0.0, 0.5, 3.0, 2 * pi}) {

@@ -16,6 +16,8 @@ inline constexpr double refinedSurface = 1e-13;
 // Unit normals and curvatures of size up to 2 against closed forms; at a pole by power series.
 inline constexpr double normal = 1e-14;
 inline constexpr double curvature = 1e-13;
+// Of any surface, relative to the squares of its curvatures.
+inline constexpr double generalCurvature = 1e-10;
 inline constexpr double poleNormal = 1e-13;
 inline constexpr double poleCurvature = 1e-9;
 // Grids against single points, coordinates up to 3; normals over |Su × Sv|.
