@@ -654,6 +654,17 @@ export interface Surface extends Disposable {
      * the bit, and the triangles use the first, so that the mesh has no edge at the seam.
      */
     grid(nu: number, nv: number, options?: { into?: Grid }): Grid;
+    /**
+     * A mesh whose triangles are nowhere farther from the surface than the tolerance (default 0.01),
+     * with more of them where it is more curved; without cracks, and without edges at closed seams.
+     * TOO_LARGE where that takes more than 262144 vertices.
+     */
+    triangles(options?: { tolerance?: number }): SurfaceTriangles;
+    /**
+     * Points of an isoparametric line, along u at a constant v or along v at a constant u: `count`
+     * uniform ones, both ends included, or those of a polyline within the tolerance (default 0.001).
+     */
+    isoline(along: 'u' | 'v', at: number, options?: { count: number } | { tolerance?: number }): Float64Array;
     /** What it was made from, defaults filled in. */
     readonly spec: SurfaceSpec;
 }
@@ -669,6 +680,15 @@ export interface Grid {
      * They depend on nu, nv and `closed` only, and those of an earlier answer with the same are left
      * as they stand.
      */
+    indices: Uint32Array;
+}
+
+export interface SurfaceTriangles {
+    positions: Float64Array;
+    normals: Float64Array;
+    /** u, v of every vertex; at a closed seam those of its start. */
+    parameters: Float64Array;
+    /** Counter-clockwise seen from where the normals point to. */
     indices: Uint32Array;
 }
 

@@ -1,11 +1,13 @@
 // Surfaces as values: what every kind answers, and what B-spline surfaces answer besides.
 
-import { finite, indexPair, options } from './check.mjs';
+import { choice, finite, indexPair, integer, options } from './check.mjs';
 import { Held } from './held.mjs';
 import { fillGrid, gridSize, gridTarget } from './surface-grid.mjs';
 
 /** @typedef {import('./core.mjs').Core} Core */
 /** @typedef {[number, number]} Pair */
+
+const directions = /** @type {const} */ (['u', 'v']);
 
 export class Surface extends Held {
     /** Starts and ends of the domain, and where it is closed. @type {number[]} */
@@ -73,6 +75,40 @@ export class Surface extends Held {
         const grid = gridTarget(options(given, ['into']).into, size);
         fillGrid(core, handle, size, grid);
         return grid;
+    }
+
+    /**
+     * Triangles nowhere farther from the surface than the tolerance, more where it is more curved.
+     * @param {{ tolerance?: number }} [given]
+     */
+    triangles(given) {
+        const { core, handle } = Held.of(this);
+        const { tolerance = 1e-2 } = options(given, ['tolerance']);
+        const { vertices, indices } = core.json('surfaceTriangles', handle, finite(tolerance, 'tolerance'));
+        const all = core.bulk(8 * vertices);
+        const answer = {
+            positions: all.slice(0, 3 * vertices), normals: all.slice(3 * vertices, 6 * vertices),
+            parameters: all.slice(6 * vertices), indices: core.indices(core.call('bulkIndices'), indices).slice(),
+        };
+        core.call('dropBulk');
+        return answer;
+    }
+
+    /**
+     * Points of the line on which v (of `'u'`, along which it runs) or u (of `'v'`) is constant.
+     * @param {'u' | 'v'} along
+     * @param {number} at the constant parameter
+     * @param {{ count?: number, tolerance?: number }} [given] uniform points, or within a tolerance
+     */
+    isoline(along, at, given) {
+        const { core, handle } = Held.of(this);
+        const alongU = choice(along, 'along', directions) === 'u';
+        const { count, tolerance = 1e-3 } = options(given, ['count', 'tolerance']);
+        const uniform = count === undefined ? 0 : integer(count, 'count', 2, 4_000_000, 'TOO_LARGE');
+        const found = core.count('surfaceIsoline', handle, alongU, finite(at, 'at'), uniform, finite(tolerance, 'tolerance'));
+        const points = core.bulk(3 * found);
+        core.call('dropBulk');
+        return points;
     }
 
     /** What it was made from, defaults filled in. */

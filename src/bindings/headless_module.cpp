@@ -68,6 +68,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("surfaceDerivatives", &Session::surfaceDerivatives)
         .function("normals", &Session::normals)
         .function("surfaceGrid", &Session::surfaceGrid)
+        .function("surfaceTriangles", &Session::surfaceTriangles)
+        .function("surfaceIsoline", &Session::surfaceIsoline)
         .function("surfaceNormal", &Session::surfaceNormal)
         .function("surfaceCurvatures", &Session::surfaceCurvatures)
         .function("surfaceWithPose", &Session::surfaceWithPose)

@@ -5,6 +5,7 @@
 #include "geometry/curve.hpp"
 #include "geometry/curve_subdivision.hpp"
 #include "geometry/result.hpp"
+#include "geometry/surface.hpp"
 #include "scene/json.hpp"
 #include "scene/scene.hpp"
 
@@ -32,6 +33,9 @@ struct CborItem;
 /// The B-spline curve that these bytes specify, as scene::makeCurve() would make it; nothing where
 /// they specify something else, or where anything about it is to be refused.
 [[nodiscard]] std::optional<Curve> readUsualBspline(std::span<const std::uint8_t> bytes);
+
+/// The B-spline surface that these bytes specify, likewise.
+[[nodiscard]] std::optional<Surface> readUsualSurface(std::span<const std::uint8_t> bytes);
 
 /// The subdivision that these bytes specify, as scene::makeSubdivision() would make it; nothing
 /// where anything about it is to be refused.

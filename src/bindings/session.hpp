@@ -158,6 +158,13 @@ public:
     [[nodiscard]] Address normals() const;
     /// Of a blending surface; the input is a pose.
     [[nodiscard]] int surfaceWithPose(int handle, int i, int j, unsigned bytes);
+    /// bulk: n positions, n normals and n pairs of parameters; bulkIndices(): m indices. Answers
+    /// { vertices: n, indices: m }, or "".
+    [[nodiscard]] std::string surfaceTriangles(int handle, double tolerance);
+    /// bulk: points of the isoline at a constant v (or u): `count` uniform ones, or as many as the
+    /// tolerance asks for where count is 0. Answers how many, or -1.
+    [[nodiscard]] int surfaceIsoline(int handle, bool alongU, double at, unsigned count,
+                                     double tolerance);
     [[nodiscard]] std::string parametricSurfaces() const;
 
     // Subdivision of polygons. It begins with all but the last levels, which are made block by block.
@@ -242,6 +249,7 @@ private:
         // Each of these is made when it is first asked for.
         std::optional<scene::Json> spec;
         std::optional<SurfaceGrid> grid{};
+        std::vector<std::uint8_t> source{};  ///< what the specification is to be read from
     };
     struct MeshValue {
         Mesh mesh;
@@ -267,6 +275,7 @@ private:
     [[nodiscard]] int holdCurve(CurveValue value);
     [[nodiscard]] int holdCurve(Result<scene::Made<Curve>> made);
     [[nodiscard]] int holdSurface(SurfaceValue value);
+    [[nodiscard]] static const scene::Json& specOf(SurfaceValue& held);
     [[nodiscard]] static const scene::Json& specOf(CurveValue& held);
     [[nodiscard]] int holdMesh(Result<Mesh> mesh);
     [[nodiscard]] const Slot* slot(int handle) const;

@@ -1,6 +1,8 @@
 // The part of the session that holds and evaluates surfaces.
+#include "bindings/marshal.hpp"
 #include "bindings/session.hpp"
 #include "geometry/surface_differential.hpp"
+#include "geometry/surface_tessellation.hpp"
 #include "scene/json_values.hpp"
 #include "scene/surface_specs.hpp"
 #include "scene/validation.hpp"
@@ -32,18 +34,32 @@ int Session::holdSurface(SurfaceValue value) {
 }
 
 int Session::surface(unsigned bytes) {
-    const auto given = input(bytes);
-    if (!given) return refuse(given.error());
-    auto made = scene::makeSurface(*given);
+    const std::span<const std::uint8_t> given = inputBytes(bytes);
+    if (auto usual = readUsualSurface(given)) {
+        return holdSurface({std::move(*usual), std::nullopt, {}, {given.begin(), given.end()}});
+    }
+    const auto spec = readCbor(given);
+    if (!spec) return refuse(spec.error());
+    auto made = scene::makeSurface(*spec);
     if (!made) return refuse(made.error());
     return holdSurface({std::move(made->value), std::move(made->spec)});
 }
 
+/// Bytes are kept of B-spline surfaces only; a surface that was computed has none.
+const scene::Json& Session::specOf(SurfaceValue& held) {
+    if (!held.spec) {
+        const auto given = readCbor(held.source);
+        auto made = given ? scene::makeSurface(*given)
+                          : Result<scene::Made<Surface>>(given.error());
+        held.spec = made ? std::move(made->spec) : scene::specOf(held.surface);
+        held.source = {};
+    }
+    return *held.spec;
+}
+
 std::string Session::surfaceSpec(int handle) {
     auto* held = find<SurfaceValue>(handle);
-    if (!held) return {};
-    if (!held->spec) held->spec = scene::specOf(held->surface);
-    return scene::dumpJson(*held->spec);
+    return held ? scene::dumpJson(specOf(*held)) : std::string();
 }
 
 bool Session::surfacePoint(int handle, double u, double v) {
@@ -129,6 +145,53 @@ int Session::surfaceWithPose(int handle, int i, int j, unsigned bytes) {
     if (const auto checked = checkPose(pose); !checked) return refuse(checked.error());
     return holdSurface({blend.withPose(static_cast<std::size_t>(i), static_cast<std::size_t>(j), pose),
                         std::nullopt});
+}
+
+std::string Session::surfaceTriangles(int handle, double tolerance) {
+    const auto* held = find<SurfaceValue>(handle);
+    if (!held) return {};
+    if (auto distance = checkTolerance(tolerance); !distance) {
+        refuse(distance.error());
+        return {};
+    }
+    auto mesh = trianglesWithin(held->surface, tolerance);
+    if (!mesh) {
+        refuse(mesh.error());
+        return {};
+    }
+    const std::size_t vertices = mesh->parameters.size() / 2;
+    std::vector<double> all = std::move(mesh->positions);
+    all.insert(all.end(), mesh->normals.begin(), mesh->normals.end());
+    all.insert(all.end(), mesh->parameters.begin(), mesh->parameters.end());
+    leave(std::move(all), vertices);
+    bulkIndices_ = std::move(mesh->triangles);
+    return scene::dumpJson(
+        scene::Json{{"vertices", vertices}, {"indices", bulkIndices_.size()}});
+}
+
+int Session::surfaceIsoline(int handle, bool alongU, double at, unsigned count, double tolerance) {
+    const auto* held = find<SurfaceValue>(handle);
+    if (!held) return -1;
+    const Rectangle whole = domain(held->surface);
+    const auto place = placeInDomain(held->surface, alongU ? whole.u.start : at,
+                                     alongU ? at : whole.v.start);
+    if (!place) {
+        Error error = place.error();
+        error.path = "at";
+        refuse(std::move(error));
+        return -1;
+    }
+    const Isoline line{alongU, alongU ? place->v : place->u};
+    if (count > 0) return leave(isolinePoints(held->surface, line, count), count);
+    auto distance = checkTolerance(tolerance);
+    auto points = distance ? isolineWithin(held->surface, line, tolerance)
+                           : Result<std::vector<double>>(distance.error());
+    if (!points) {
+        refuse(points.error());
+        return -1;
+    }
+    const std::size_t found = points->size() / 3;
+    return leave(std::move(*points), found);
 }
 
 std::string Session::parametricSurfaces() const {

@@ -210,3 +210,39 @@ test('a grid that cannot be is refused', () => {
     refuses(() => plane.grid(3, 2, { into: { positions, normals, indices: new Float64Array(12) } }), 'WRONG_TYPE', 'into.indices');
     refuses(() => plane.grid(3, 2, { onto: 1 }), 'UNKNOWN_FIELD', 'onto');
 });
+
+test('adaptive triangles stay within the tolerance and close up', () => {
+    for (const [tolerance, most] of [[0.1, 600], [0.01, 6000]]) {
+        const { positions, normals, parameters, indices } = model('torus').triangles({ tolerance });
+        const vertices = positions.length / 3;
+        assert.deepEqual([normals.length, parameters.length], [3 * vertices, 2 * vertices]);
+        assert.ok(vertices < most && Math.max(...indices) === vertices - 1);
+        const edges = new Set();
+        for (let k = 0; k < indices.length; k += 3) {
+            const corners = Array.from(indices.subarray(k, k + 3));
+            corners.forEach((corner, c) => edges.add(`${corner} ${corners[(c + 1) % 3]}`));
+            const middle = [0, 1, 2].map((axis) => corners.reduce((sum, corner) => sum + positions[3 * corner + axis] / 3, 0));
+            const distance = 1 - Math.hypot(Math.hypot(middle[0], middle[1]) - 2, middle[2]);
+            assert.ok(Math.abs(distance) <= tolerance);
+        }
+        for (const edge of edges) assert.ok(edges.has(edge.split(' ').reverse().join(' ')));
+        for (let k = 0; k < vertices; k += 17) {
+            near(Array.from(positions.subarray(3 * k, 3 * k + 3)), model('torus').point(parameters[2 * k], parameters[2 * k + 1]), 1e-14);
+        }
+    }
+    refuses(() => model('torus').triangles({ tolerance: 0 }), 'OUT_OF_RANGE', 'tolerance');
+    refuses(() => model('torus', { R: 1e6 }).triangles({ tolerance: 1e-6 }), 'TOO_LARGE', 'tolerance');
+});
+
+test('isolines run along one parameter at a constant other', () => {
+    const surface = kw.surface(bicubic);
+    const line = surface.isoline('v', 0.3, { count: 5 });
+    for (let i = 0; i < 5; ++i) near(Array.from(line.subarray(3 * i, 3 * i + 3)), surface.point(0.3, i / 2), tolerances.sampled);
+    const circle = model('cylinder').isoline('u', 0.5, { tolerance: 0.001 });
+    assert.ok(circle.length / 3 > 50 && circle.length / 3 < 150);
+    for (let k = 0; k < circle.length; k += 3) near([Math.hypot(circle[k], circle[k + 1]), circle[k + 2]], [1, 0.5], tolerances.exact);
+    refuses(() => surface.isoline('u', 2.5), 'OUT_OF_RANGE', 'at');
+    refuses(() => surface.isoline('w', 0), 'UNKNOWN_NAME', 'along');
+    refuses(() => surface.isoline('u', 0, { count: 1 }), 'OUT_OF_RANGE', 'count');
+    refuses(() => surface.isoline('u', 0, { tolerance: -1 }), 'OUT_OF_RANGE', 'tolerance');
+});

@@ -74,6 +74,8 @@ const bent: [number, number, number] = torus.derivatives(0, 1).Suv;
 const grid = torus.grid(10, 10);
 const corners3: Uint32Array = patch.grid(10, 10, { into: grid }).indices;
 const { k1 }: { k1: number } = torus.curvatures(0, 1);
+const fine: Float64Array = torus.triangles({ tolerance: 0.1 }).parameters;
+void [fine, torus.isoline('u', 0, { count: 9 }), torus.isoline('v', 1)];
 void [corners3, k1, torus.normal(1, 2)[0]];
 const handles = kw.surface({ type: 'blending-surface', bFunction: [b.spec, { family: 'linear' }], model: torus.spec, locals: [5, 3],
     kind: 'bezier', degree: [3, 2], form: ['closed', 'open'], poses: [{ local: [0, 1], scale: 2 }] });
@@ -160,6 +162,7 @@ const values = {
     BlendingSurface: kw.surface({ type: 'blending-surface', bFunction: { family: 'linear' }, locals: [3, 2], model: { type: 'parametric-surface', name: 'torus' } }),
     ParametricSurface: kw.surface({ type: 'parametric-surface', name: 'torus' }),
     Grid: kw.surface({ type: 'parametric-surface', name: 'plane' }).grid(2, 2),
+    SurfaceTriangles: kw.surface({ type: 'parametric-surface', name: 'plane' }).triangles(),
     ParametricSurfaceModel: kw.parametricSurfaces[0],
     Scene: kw.scene(kw.scenes[0].document),
     BFunctionFamily: kw.bFunctions[0],
