@@ -10,6 +10,7 @@ import { meshCases } from './cases/meshes.mjs';
 import { nativeCases } from './cases/native.mjs';
 import { refinementCases } from './cases/refinement.mjs';
 import { subdivisionCases } from './cases/subdivision.mjs';
+import { surfaceCases } from './cases/surfaces.mjs';
 import { compare, largestDifference } from './ratio.mjs';
 
 /** @typedef {import('./cases/case.mjs').Case} Case */
@@ -18,8 +19,8 @@ import { compare, largestDifference } from './ratio.mjs';
 /** @typedef {{ peer: Peer, ours: number, theirs: number, ratio: number }} Row */
 
 const cases = [
-    ...curveCases, ...refinementCases, ...fittingCases, ...subdivisionCases, ...blendingCases, ...meshCases,
-    ...nativeCases,
+    ...curveCases, ...refinementCases, ...fittingCases, ...subdivisionCases, ...blendingCases,
+    ...surfaceCases, ...meshCases, ...nativeCases,
 ];
 
 /** @param {Work} work */

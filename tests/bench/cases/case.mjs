@@ -40,7 +40,7 @@ export const work = (act, dispose = nothing) => ({ act, dispose });
 /**
  * Short work, often enough for the clock.
  * @param {number} times
- * @param {() => Float64Array} act
+ * @param {() => any} act
  */
 export function repeated(times, act) {
     return () => {
