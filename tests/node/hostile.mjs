@@ -87,6 +87,15 @@ export const meshes = [
     { obj: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' },
 ];
 
+const net = [0, 1, 2].map((i) => [0, 1, 2, 3].map((j) => [i, j, (i * j) % 3]));
+
+export const surfaces = [
+    { type: 'bspline-surface', degree: [2, 3], points: net },
+    { type: 'bspline-surface', degree: [1, 2], form: ['open', 'closed'], points: net, weights: net.map((row) => row.map((_, j) => 1 + j)) },
+    { type: 'parametric-surface', name: 'torus', parameters: { R: 3, r: 1 } },
+    { type: 'parametric-surface', name: 'sphere' },
+];
+
 export const traces = [
     { algorithm: 'de-boor', curve: curves[0], t: 0.5 },
     { algorithm: 'cox-de-boor', curve: curves[2], t: 0.5 },
@@ -107,6 +116,12 @@ export const fitRequests = [
     { points: [[0, 0], [1, 2], [2, -1], [3, 1], [4, 0], [5, 2]], degree: 2, count: 4, form: 'clamped', parameters: 'chord', interpolateEnds: true, smoothing: 0.1 },
     { points: [[0, 0], [1, 2], [2, -1], [1, -2]], degree: 1, count: 3, form: 'open', parameters: [0, 0.25, 0.5, 1], knots: [-0.5, 0, 0.5, 1, 1.5] },
 ];
+
+const surface = {
+    point: ['number', 'number'], derivatives: ['number', 'number'], normal: ['number', 'number'],
+    curvatures: ['number', 'number'], grid: ['integer', 'integer', { into: 'object' }],
+    triangles: [{ tolerance: 'number' }], isoline: ['string', 'number', { count: 'integer', tolerance: 'number' }],
+};
 
 /**
  * The arguments of every method, by kind; a name with `?` may be left out, an object lists options.
@@ -136,6 +151,8 @@ export const methods = {
         vertexNormals: [{ into: 'into' }], subdivide: ['scheme', 'integer?'], limit: ['scheme'],
         classification: ['scheme'],
     },
+    BsplineSurface: { ...surface, refine: ['list'] },
+    ParametricSurface: surface,
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'],
     },

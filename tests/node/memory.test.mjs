@@ -11,6 +11,7 @@ const blend = {
     type: 'blending-curve', bFunction: { family: 'expo-rational', beta: 2 },
     model: { type: 'parametric-curve', name: 'butterfly' }, locals: { count: 12 },
 };
+const patch = { type: 'bspline-surface', degree: [2, 1], points: [0, 1, 2].map((i) => [0, 1, 2].map((j) => [i, j, i * j])) };
 const curveless = { scheme: 'chaikin', points: cubic.points, levels: 7 };
 const scene = { knotwork: 1, objects: [cubic, blend], effects: [{ target: 'c1', kind: 'rotate' }] };
 
@@ -72,6 +73,15 @@ const lives = {
     'refused meshes': [2000, () => {
         refuses(() => kw.mesh({ vertices: new Float64Array(12), faces: [[0, 1, 2], [0, 1, 3]] }), 'NOT_MANIFOLD', 'edges[0,1]');
         refuses(() => kw.mesh({ obj: 'v 0 0 0\nw' }), 'SYNTAX', 'obj');
+    }],
+    'surfaces with grids': [1000, () => {
+        const surface = kw.surface(patch);
+        const refined = surface.refine([[0, 0, 0, 0.5, 1, 1, 1], surface.spec.knots[1]]);
+        refined.grid(9, 12);
+        refined.curvatures(0.3, 0.3);
+        refuses(() => kw.surface({ ...patch, weights: [[1]] }), 'WRONG_LENGTH', 'weights');
+        refined.dispose();
+        surface.dispose();
     }],
     'B-functions': [10_000, () => {
         const b = kw.bFunction({ family: 'logistic', c: 2 });

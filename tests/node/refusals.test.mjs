@@ -4,7 +4,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 import {
-    bFunctions, curves, kindOf, meshes, methods, placesOf, refusalOf, scenes, fitRequests, traces, withoutArguments, withValue, wrong,
+    bFunctions, curves, kindOf, meshes, methods, placesOf, refusalOf, scenes, fitRequests, surfaces, traces, withoutArguments,
+    withValue, wrong,
     wrongCalls,
 } from './hostile.mjs';
 import { allocatorSlack, load } from './support.mjs';
@@ -13,6 +14,7 @@ const kw = await load();
 const takers = [
     ...bFunctions.map((spec) => ({ name: `bFunction ${spec.family}`, take: kw.bFunction, spec })),
     ...curves.map((spec, i) => ({ name: `curve ${i}, ${spec.type}`, take: kw.curve, spec })),
+    ...surfaces.map((spec, i) => ({ name: `surface ${i}, ${spec.type}`, take: kw.surface, spec })),
     ...scenes.map((spec) => ({ name: 'scene', take: kw.scene, spec })),
     ...meshes.map((spec) => ({ name: `mesh of ${Object.keys(spec)[0]}`, take: kw.mesh, spec })),
     ...fitRequests.map((spec) => ({ name: 'fit', take: kw.fit, spec })),
@@ -44,6 +46,8 @@ const samples = {
     SubdivisionCurve: ofType('subdivision-curve'),
     FormulaCurve: ofType('formula-curve'),
     Mesh: kw.mesh(meshes[1]),
+    BsplineSurface: kw.surface(surfaces[0]),
+    ParametricSurface: kw.surface(surfaces[2]),
     Scene: kw.scene(scenes[0]),
 };
 
@@ -145,6 +149,7 @@ test('100 000 curves and B-functions made and disposed of leave handles and memo
 test('the module works on after all that', () => {
     for (const { take, spec } of takers) {
         const made = take(spec);
+        if (made.normal) assert.ok(made.grid(5, 4).normals.every(Number.isFinite));
         if (made.sample) assert.ok(made.sample(9).every(Number.isFinite));
         disposeOf(made);
     }
