@@ -51,10 +51,12 @@ public:
         return text_.substr(from, at_ - from);
     }
 
-    /// To where the next line begins, past words that nobody reads.
+    /// To where the next line begins, past words that nobody reads. A comment is of one line.
     void nextLine() noexcept {
+        bool comment = false;
         while (!finished() && !isEnd(text_[at_])) {
-            const std::size_t length = continuation();
+            comment = comment || text_[at_] == '#';
+            const std::size_t length = comment ? 0 : continuation();
             at_ += std::max<std::size_t>(length, 1);
             if (length > 0) ++line_;
         }

@@ -153,6 +153,8 @@ TEST(ObjRefusals, SayTheLine) {
     }
     syntax(square + "f 1 2 \\\n3 \\\nx\n", "Line 7: \"x\"");
     syntax("v 0 0 0\rv 1 0 0\rw\r", "Line 3: \"w\"");
+    syntax("g left \\\n middle \\\n right\nv 0 x 0\n", "Line 4: \"x\"");
+    syntax("# drawn on c:\\\nv 0 x 0\n", "Line 2: \"x\"");
     syntax(std::string(100, 'x'), "…\" is no word");
     syntax(std::string("\0\1\2", 3), "Line 1");
 }

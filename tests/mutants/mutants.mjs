@@ -1,4 +1,4 @@
-// Ten mistakes that somebody could make, each with the test that must see it. `find` stands exactly
+// Mistakes that somebody could make, each with the test that must see it. `find` stands exactly
 // once in `file`; where it does not any more, the mutant has to be written anew.
 
 /** @typedef {{ name: string, file: string, find: string, replace: string, test: string }} Mutant */
@@ -74,5 +74,19 @@ export const mutants = [
         find: 'const std::size_t span = knots_.findSpan(inside, side);',
         replace: 'const std::size_t span = knots_.findSpan(inside);',
         test: 'SplineProperty.TheBasisFormAgreesWithDeBoorsAlgorithmFromBothSides',
+    },
+    {
+        name: 'stale slot: half-edges of different buckets meet',
+        file: 'mesh_edges.hpp',
+        find: 'if (slot.smaller != smaller) slot =',
+        replace: 'if (slot.smaller == noFace) slot =',
+        test: 'Mesh.HasTheEdgesInTheOrderOfItsFaces',
+    },
+    {
+        name: 'notch turned round: the inner angle of a concave corner is less than a half turn',
+        file: 'mesh_normals.cpp',
+        find: 'glm::dot(across, normal) < 0 ?',
+        replace: 'false && glm::dot(across, normal) < 0 ?',
+        test: 'MeshNormals.WeighConcaveCornersByTheirInnerAngle',
     },
 ];
