@@ -1,6 +1,6 @@
 // Faces of any vertices, OBJ of any bytes, and solids with dents and holes: refused with a place
-// and a reason, or a mesh whose edges lie in their faces, whose counts add up, which reads back from
-// its own OBJ and whose finer meshes have the counts of their scheme.
+// and a reason, or a mesh whose edges lie in their faces, whose counts add up, which reads back
+// from its own OBJ and whose finer meshes have the counts of their scheme.
 #include "fuzz/input.hpp"
 
 #include "geometry/mesh.hpp"
