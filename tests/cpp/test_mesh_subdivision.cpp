@@ -402,6 +402,20 @@ TEST(MeshSubdivisionRefusals, BeginWhereAMeshWouldBeTooLarge) {
               Code::tooLarge);
 }
 
+TEST(MeshSubdivisionRefusals, CountWhatBoundariesAdd) {
+    // Four levels of √3 make 55 vertices of each lonely triangle, nine of them on its sides in
+    // level 4.
+    std::vector<Vec3> points;
+    Corners corners;
+    for (std::uint32_t i = 0; i < 3 * 75'000; ++i) {
+        points.emplace_back(i / 3, i % 3 == 1 ? 1 : 0, i % 3 == 2 ? 1 : 0);
+        corners.push_back(i);
+    }
+    const Mesh lonely = *Mesh::make(std::move(points), std::move(corners), 3);
+    EXPECT_EQ(finer(lonely, MeshScheme::sqrt3, 3).points().size(), 75'000U * 19);
+    EXPECT_EQ(subdivide(lonely, MeshScheme::sqrt3, 4).error().code, Code::tooLarge);
+}
+
 TEST(MeshSubdivisionClassification, IsThatOfTheBooks) {
     for (const MeshScheme scheme : allSchemes()) {
         const MeshClassification found = classification(scheme);

@@ -190,6 +190,19 @@ test('a blend ends with the point of the curve', () => {
     }
 });
 
+test('Catmull–Clark ends with the finer mesh, and its matrix makes it', () => {
+    const mesh = { solid: 'cube' };
+    const frames = trace({ algorithm: 'catmull-clark', mesh, levels: 2 });
+    assert.equal(frames.length, 9);
+    const finer = kw.mesh(mesh).subdivide('catmull-clark', 2);
+    assert.deepEqual(frames.at(-1).points.flat(), [...finer.vertices]);
+    assert.equal(frames.at(-1).edges.length, finer.counts.edges);
+    const { matrix, points } = frames[4];
+    near(matrix.map((row) => [0, 1, 2].map((axis) => row.reduce((sum, w, i) => sum + w * frames[0].points[i][axis], 0))),
+        points, tolerances.exact);
+    assert.deepEqual(trace({ algorithm: 'catmull-clark', mesh }), trace({ algorithm: 'catmull-clark', mesh, levels: 1 }));
+});
+
 test('sentences say the numbers of their step', () => {
     const [begin, level, result] = trace({ algorithm: 'de-boor', curve: quadratic, t: 2 });
     assert.match(begin.text, /parameter 2 lies between the knots 1 and 3; .* 3 of the 5 control points .* number 1 to number 3/);
@@ -205,7 +218,7 @@ test('the same question has the same answer', () => {
 
 test('refusals name what is wrong and where', () => {
     const bad = (given, code, path) => refuses(() => kw.trace(given), code, path);
-    const names = bad({ algorithm: 'catmull-clark', mesh: { solid: 'cube' }, levels: 1 }, 'UNKNOWN_NAME', 'algorithm');
+    const names = bad({ algorithm: 'doo-sabin', mesh: { solid: 'cube' }, levels: 1 }, 'UNKNOWN_NAME', 'algorithm');
     assert.match(names.message, /de-boor, cox-de-boor, factor-matrices, boehm, oslo, lane-riesenfeld, four-point, blend/);
     bad(undefined, 'WRONG_TYPE', '');
     bad('de-boor', 'WRONG_TYPE', '');
