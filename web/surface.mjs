@@ -72,9 +72,10 @@ export class Surface extends Held {
     grid(nu, nv, given) {
         const { core, handle } = Held.of(this);
         const size = gridSize(nu, nv, this.closed);
-        const grid = gridTarget(options(given, ['into']).into, size);
+        const { into } = options(given, ['into']);
+        const grid = gridTarget(into, size);
         fillGrid(core, handle, size, grid);
-        return grid;
+        return /** @type {typeof grid} */ (into ?? grid);
     }
 
     /**

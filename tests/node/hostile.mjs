@@ -94,6 +94,11 @@ export const surfaces = [
     { type: 'bspline-surface', degree: [1, 2], form: ['open', 'closed'], points: net, weights: net.map((row) => row.map((_, j) => 1 + j)) },
     { type: 'parametric-surface', name: 'torus', parameters: { R: 3, r: 1 } },
     { type: 'parametric-surface', name: 'sphere' },
+    {
+        type: 'blending-surface', bFunction: { family: 'logistic' }, locals: [2, 3], kind: 'bezier', form: ['open', 'open'],
+        model: { type: 'parametric-surface', name: 'plane', parameters: { width: 2, height: 3 } },
+        poses: [{ local: [1, 0], translate: [0, 0, 1], rotate: { axis: [0, 0, 1], angle: 1 }, scale: [1, 2, 1] }],
+    },
 ];
 
 export const traces = [
@@ -154,6 +159,7 @@ export const methods = {
     },
     BsplineSurface: { ...surface, refine: ['list'] },
     ParametricSurface: surface,
+    BlendingSurface: { ...surface, local: ['integer', 'integer'], withPose: ['list', 'object'] },
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'],
     },

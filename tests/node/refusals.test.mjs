@@ -48,6 +48,7 @@ const samples = {
     Mesh: kw.mesh(meshes[1]),
     BsplineSurface: kw.surface(surfaces[0]),
     ParametricSurface: kw.surface(surfaces[2]),
+    BlendingSurface: kw.surface(surfaces[4]),
     Scene: kw.scene(scenes[0]),
 };
 
