@@ -119,8 +119,8 @@ void ParametricSurface::factorsV(double v, int order, std::span<double> factors)
 
 void ParametricSurface::derivatives(const SurfacePlace& at, const SurfaceOrders& orders,
                                     std::span<Vec3> rows) const noexcept {
-    std::array<double, maxTerms*(maxSurfaceOrder + 1)> along{};
-    std::array<double, maxTerms*(maxSurfaceOrder + 1)> across{};
+    std::array<double, maxTerms * (maxSurfaceOrder + 1)> along;
+    std::array<double, maxTerms * (maxSurfaceOrder + 1)> across;
     factorsU(at.u, orders.u, along);
     factorsV(at.v, orders.v, across);
     const std::size_t rowCount = static_cast<std::size_t>(orders.u) + 1;

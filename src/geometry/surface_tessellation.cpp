@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -18,6 +19,8 @@ using Key = std::pair<double, double>;
 constexpr int taylorOrder = 6;
 /// A closed direction begins with so many cells, so that no triangle spans the whole of it.
 constexpr std::size_t leastAround = 4;
+/// So many cells will not do, however roughly they are counted.
+constexpr double hopeless = 100.0 * static_cast<double>(mostTriangleVertices);
 
 struct Bends {
     double uu = 0;
@@ -66,8 +69,12 @@ Bends bendsInCorner(const Surface& surface, const Rectangle& cell, bool endU, bo
             v * v * glm::length(rows[orders.at(0, 2)])};
 }
 
-Bends bendsOf(const Surface& surface, const Rectangle& cell) noexcept {
+double errorOf(const Bends& bends) noexcept { return (bends.uu + 2 * bends.uv + bends.vv) / 8; }
+
+/// Those of a cell that the centre already finds too large are not looked at any closer.
+Bends bendsOf(const Surface& surface, const Rectangle& cell, double tolerance) noexcept {
     Bends bends = bendsAtCentre(surface, cell);
+    if (errorOf(bends) > tolerance) return bends;
     for (const bool endU : {false, true}) {
         for (const bool endV : {false, true}) {
             bends.raise(bendsInCorner(surface, cell, endU, endV));
@@ -114,6 +121,22 @@ Error tooMany(double tolerance) {
                       " more than 262144 vertices would be needed; enlarge the tolerance.");
 }
 
+/// Halving a direction quarters what it bends: about so many cells will be left of one that bends
+/// everywhere as in that of its corners where it bends least.
+double expectedCells(const Surface& surface, const Rectangle& cell, double tolerance) noexcept {
+    const auto halved = [tolerance](double bend) {
+        return std::max(1.0, std::sqrt(bend / (8 * tolerance)));
+    };
+    double least = std::numeric_limits<double>::infinity();
+    for (const bool endU : {false, true}) {
+        for (const bool endV : {false, true}) {
+            const Bends bends = bendsInCorner(surface, cell, endU, endV);
+            least = std::min(least, halved(bends.uu) * halved(bends.vv));
+        }
+    }
+    return least;
+}
+
 /// Cells within the tolerance, halved from those between the knots; empty where they are too many.
 std::vector<Rectangle> cellsWithin(const Surface& surface, double tolerance) {
     const ClosedDirections closed = closedDirections(surface);
@@ -124,6 +147,7 @@ std::vector<Rectangle> cellsWithin(const Surface& surface, double tolerance) {
     for (std::size_t i = 0; i + 1 < us.size(); ++i) {
         for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
             open.push_back({{us[i], us[i + 1]}, {vs[j], vs[j + 1]}});
+            if (expectedCells(surface, open.back(), tolerance) > hopeless) return {};
         }
     }
     std::vector<Rectangle> done;
@@ -131,12 +155,11 @@ std::vector<Rectangle> cellsWithin(const Surface& surface, double tolerance) {
         if (open.size() + done.size() > mostTriangleVertices) return {};
         const Rectangle cell = open.back();
         open.pop_back();
-        const Bends bends = bendsOf(surface, cell);
+        const Bends bends = bendsOf(surface, cell, tolerance);
         const bool alongU = bends.uu != bends.vv ? bends.uu > bends.vv
                                                  : cell.u.length() / whole.u.length() >=
                                                        cell.v.length() / whole.v.length();
-        const bool fits = (bends.uu + 2 * bends.uv + bends.vv) / 8 <= tolerance;
-        if (fits || !divisible(alongU ? cell.u : cell.v)) {
+        if (errorOf(bends) <= tolerance || !divisible(alongU ? cell.u : cell.v)) {
             done.push_back(cell);
         } else if (alongU) {
             open.push_back({firstHalf(cell.u), cell.v});
@@ -328,7 +351,7 @@ Result<std::vector<double>> isolineWithin(const Surface& surface, const Isoline&
         if (xyz.size() / 3 + open.size() > mostTriangleVertices) return tooMany(tolerance);
         const Interval part = open.back();
         open.pop_back();
-        const Bends bends = bendsOf(surface, cellOn(line, part));
+        const Bends bends = bendsOf(surface, cellOn(line, part), tolerance);
         if ((line.alongU ? bends.uu : bends.vv) / 8 <= tolerance || !divisible(part)) {
             append(xyz, pointAt(surface, placeOn(surface, line, part.end)));
         } else {

@@ -118,6 +118,13 @@ TEST(SurfaceTessellation, RefusesAToleranceThatNothingFits) {
     EXPECT_EQ(mesh.error().path, "tolerance");
 }
 
+TEST(SurfaceTessellation, ManyTurnsBeginAsOneCellAndComeOutWell) {
+    const Surface helicoid = model("helicoid", {{"turns", 200}, {"pitch", 0.1}});
+    const auto mesh = trianglesWithin(helicoid, 0.1);
+    ASSERT_TRUE(mesh.ok());
+    EXPECT_LE(farthest(helicoid, *mesh), 0.1 * (1 + 1e-9));
+}
+
 TEST(SurfaceTessellation, IsolinesLieOnTheSurfaceAndWithinTheTolerance) {
     const Surface torus = model("torus");
     const auto points = isolinePoints(torus, {true, 0}, 9);
