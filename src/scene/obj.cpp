@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <optional>
 #include <utility>
@@ -13,8 +12,6 @@
 namespace knotwork::scene {
 
 namespace {
-
-__extension__ using Wide = unsigned __int128;
 
 constexpr std::size_t longestQuote = 40;
 
@@ -102,89 +99,24 @@ std::size_t pastSign(std::string_view word, std::size_t at) noexcept {
     return at < word.size() && (word[at] == '+' || word[at] == '-') ? at + 1 : at;
 }
 
-/// Digits with a point somewhere, and perhaps an exponent, by its parts.
-struct Decimal {
-    std::uint64_t digits = 0;
-    int count = 0;     ///< of digits without leading zeros
-    int exponent = 0;  ///< of ten, after the point has been moved behind the digits
-    bool negative = false;
-};
-
-std::optional<Decimal> decimalOf(std::string_view word) noexcept {
-    Decimal decimal;
-    std::size_t at = pastSign(word, 0);
-    decimal.negative = at > 0 && word[0] == '-';
-    bool any = false;
-    bool point = false;
-    for (; at < word.size() && (isDigit(word[at]) || (word[at] == '.' && !point)); ++at) {
-        if (word[at] == '.') {
-            point = true;
-            continue;
-        }
-        any = true;
-        if (point) --decimal.exponent;
-        if (decimal.count == 0 && word[at] == '0') continue;
-        decimal.digits = 10 * decimal.digits + static_cast<std::uint64_t>(word[at] - '0');
-        ++decimal.count;
-    }
-    if (!any) return std::nullopt;
-    if (at == word.size()) return decimal;
-    if (word[at] != 'e' && word[at] != 'E') return std::nullopt;
-    const std::size_t sign = at + 1;
-    const std::size_t digits = pastSign(word, sign);
-    const std::size_t end = pastDigits(word, digits);
-    if (end == digits || end != word.size()) return std::nullopt;
-    constexpr int beyondAll = 9999;
-    int exponent = 0;
-    for (at = digits; at < end; ++at) {
-        exponent = std::min(beyondAll, 10 * exponent + (word[at] - '0'));
-    }
-    decimal.exponent += word[sign] == '-' ? -exponent : exponent;
-    return decimal;
+/// Digits with a point somewhere, and perhaps an exponent: the C library also takes `inf`, `nan` and
+/// hexadecimal numbers, which are none here.
+bool isDecimal(std::string_view word) noexcept {
+    const std::size_t first = pastSign(word, 0);
+    const std::size_t point = pastDigits(word, first);
+    const bool pointed = point < word.size() && word[point] == '.';
+    const std::size_t fraction = pointed ? point + 1 : point;
+    const std::size_t end = pastDigits(word, fraction);
+    if (point == first && end == fraction) return false;
+    if (end == word.size()) return true;
+    if (word[end] != 'e' && word[end] != 'E') return false;
+    const std::size_t exponent = pastSign(word, end + 1);
+    return exponent < word.size() && pastDigits(word, exponent) == word.size();
 }
 
-/// digits / 10^power, correctly rounded, for powers up to 19 and digits that are not 0: an integer
-/// division of 128 bits by 64, whose remainder says to which side what lies on the middle goes.
-double quotient(std::uint64_t digits, std::size_t power) noexcept {
-    std::uint64_t divisor = 1;
-    for (std::size_t i = 0; i < power; ++i) divisor *= 10;
-    int shift = 0;  // that gives digits and divisor 64 bits each, and the quotient 63 or 64
-    for (; (digits >> 63U) == 0; ++shift) digits <<= 1U;
-    for (; (divisor >> 63U) == 0; --shift) divisor <<= 1U;
-    const Wide above = Wide{digits} << 63U;
-    auto bits = static_cast<std::uint64_t>(above / divisor);
-    const bool rest = bits * Wide{divisor} != above;
-    for (; (bits >> 63U) == 0; ++shift) bits <<= 1U;
-    constexpr std::uint64_t below = 0x7ff;  // what a double has no room for
-    constexpr std::uint64_t half = 0x400;
-    const std::uint64_t low = bits & below;
-    const bool odd = (bits & (below + 1)) != 0;
-    const bool up = low > half || (low == half && (rest || odd));
-    const double kept = static_cast<double>((bits >> 11U) + (up ? 1U : 0U));
-    return std::ldexp(kept, 11 - 63 - shift);
-}
-
-/// Correctly rounded. Up to 15 digits and powers of ten up to 22 are exact, so that one operation
-/// rounds once (W. Clinger, How to read floating point numbers accurately, 1990).
 std::optional<double> numberOf(std::string_view word) {
-    const auto decimal = decimalOf(word);
-    if (!decimal) return std::nullopt;
-    constexpr int exactDigits = 15;
-    constexpr int wholeDigits = 19;  // of 64 bits
-    static constexpr std::array exactPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                            1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
-                                            1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    const auto power = static_cast<std::size_t>(std::abs(decimal->exponent));
-    double size = 0;
-    if (decimal->count <= exactDigits && power < exactPowers.size()) {
-        const auto digits = static_cast<double>(decimal->digits);
-        size = decimal->exponent < 0 ? digits / exactPowers[power] : digits * exactPowers[power];
-    } else if (decimal->count <= wholeDigits && decimal->exponent <= 0 && power <= wholeDigits) {
-        size = quotient(decimal->digits, power);
-    } else {
-        return std::strtod(std::string(word).c_str(), nullptr);
-    }
-    return decimal->negative ? -size : size;
+    if (!isDecimal(word)) return std::nullopt;
+    return std::strtod(std::string(word).c_str(), nullptr);
 }
 
 /// Past the whole number at a place; the place itself where there is none.
