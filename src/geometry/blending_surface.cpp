@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t maximumPatches = 10'000;
 constexpr std::size_t maximumCoefficients = 500'000;
 constexpr double maximumEvaluations = 1024;
+constexpr int maximumDepth = 8;  // of blends within blends, each of which takes 50 kB of stack
 constexpr std::size_t maximumRows = maxSurfaceOrder + 1;
 
 // ---- What is refused ---------------------------------------------------------------------------
@@ -220,10 +221,13 @@ Result<BlendingSurface> BlendingSurface::make(Surface model, BlendDirection u, B
     if (auto checked = checkPoses(poses, count); !checked) return checked.error();
     BlendingSurface surface(std::make_shared<const Surface>(std::move(model)), std::move(u),
                             std::move(v), cut);
-    if (surface.evaluations() > maximumEvaluations) {
+    const Nesting nesting = surface.nesting();
+    if (nesting.evaluations > maximumEvaluations || nesting.depth > maximumDepth) {
         return refuse(Code::tooLarge, "model",
-                      "One point of these nested blends would take more than 1024 points of the "
-                      "innermost model; nest fewer.");
+                      "Sub-surfaces of blends are nested " + std::to_string(nesting.depth) +
+                          " deep, and one point would take up to " +
+                          formatNumber(nesting.evaluations) +
+                          " points of the innermost model; at most 8 and 1024 are supported.");
     }
     if (auto done = surface.cutPatches(poses); !done) return done.error();
     return surface;
@@ -260,13 +264,13 @@ void BlendingSurface::findBreaks() {
         breaksAlong(v_, ofModel ? knotwork::breaksV(*model_) : none, whole.v, turns.v));
 }
 
-/// How many points of the innermost model one point may take.
-double BlendingSurface::evaluations() const noexcept {
-    if (!cutsModel()) return 1;
+BlendingSurface::Nesting BlendingSurface::nesting() const noexcept {
+    if (!cutsModel()) return {};
     const auto* nested = model_->as<BlendingSurface>();
+    const Nesting inner = nested != nullptr ? nested->nesting() : Nesting{};
     const bool shiftsU = u_.closed() && !modelTurnsU_;
     const bool shiftsV = v_.closed() && !modelTurnsV_;
-    return (shiftsU ? 2 : 1) * (shiftsV ? 2 : 1) * (nested != nullptr ? nested->evaluations() : 1);
+    return {inner.depth + 1, inner.evaluations * (shiftsU ? 2 : 1) * (shiftsV ? 2 : 1)};
 }
 
 BlendingSurface BlendingSurface::withPoses(std::span<const Pose> poses) const {
@@ -286,6 +290,13 @@ BlendingSurface BlendingSurface::withPose(std::size_t i, std::size_t j, const Po
     BlendingSurface posed = *this;
     posed.places_ = std::make_shared<const std::vector<PatchPlace>>(std::move(places));
     return posed;
+}
+
+bool BlendingSurface::isModel() const noexcept {
+    const bool shifts = (u_.closed() && !modelTurnsU_) || (v_.closed() && !modelTurnsV_);
+    return cutsModel() && !shifts && domain() == knotwork::domain(*model_) &&
+           std::all_of(places_->begin(), places_->end(),
+                       [](const PatchPlace& place) { return place.pose().isIdentity(); });
 }
 
 // ---- Evaluating --------------------------------------------------------------------------------

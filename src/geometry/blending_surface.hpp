@@ -48,8 +48,8 @@ public:
     /// than 10 000 patches or 500 000 coefficients in all (TOO_LARGE `locals`), degrees that are not
     /// 1 … 25 (`degree[i]`), knots as checkBlendingKnots() does (`knots[0]…` along u, `knots[1]…`
     /// along v), poses as checkPose() does under `poses[k]`, a model without the derivatives that
-    /// are needed (NOT_FINITE `model`), and blends within blends of which one point would take more
-    /// than 1024 points of the innermost model (TOO_LARGE `model`).
+    /// are needed (NOT_FINITE `model`), and sub-surfaces of blends more than 8 deep, or of which one
+    /// point would take more than 1024 points of the innermost model (TOO_LARGE `model`).
     [[nodiscard]] static Result<BlendingSurface> make(Surface model, BlendDirection u,
                                                       BlendDirection v, const PatchCut& cut,
                                                       std::span<const Pose> poses = {});
@@ -83,6 +83,8 @@ public:
     }
     /// Whether the patches are sub-surfaces.
     [[nodiscard]] bool cutsModel() const noexcept { return cut_.kind == PatchKind::subSurface; }
+    /// Whether it is nothing but its model: sub-surfaces that nobody posed, over all of it.
+    [[nodiscard]] bool isModel() const noexcept;
     /// By how much the second patch of a span is evaluated earlier: span.shift, or 0 where the patch
     /// is the same there (a sub-surface of a model that has this period itself).
     [[nodiscard]] double shiftU(const BlendingSpan& span) const noexcept {
@@ -105,7 +107,13 @@ private:
 
     [[nodiscard]] Result<Done> cutPatches(std::span<const Pose> poses);
     void findBreaks();
-    [[nodiscard]] double evaluations() const noexcept;
+    /// Blends that are evaluated within each other for one point, and how many points of the
+    /// innermost model that takes at most.
+    struct Nesting {
+        int depth = 0;
+        double evaluations = 1;
+    };
+    [[nodiscard]] Nesting nesting() const noexcept;
 
     std::shared_ptr<const Surface> model_;
     BlendDirection u_;

@@ -40,6 +40,10 @@ Rows rowsOf(const ParametricSurface& model, const GridLine& u, const GridLine& v
 }
 
 Rows rowsOf(const BlendingSurface& blend, const GridLine& u, const GridLine& v) {
+    if (blend.isModel()) {
+        return std::visit([&](const auto& kind) { return rowsOf(kind, u, v); },
+                          blend.model().kind());
+    }
     if (BlendedPolynomialGrid::suits(blend)) return BlendedPolynomialGrid(blend, u, v);
     if (BlendedModelGrid::suits(blend)) return BlendedModelGrid(blend, u, v);
     return BlendedPointGrid(blend, u, v);

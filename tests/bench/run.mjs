@@ -4,6 +4,7 @@
 import process from 'node:process';
 
 import { blendingCases } from './cases/blending.mjs';
+import { blendingSurfaceCases } from './cases/blending-surfaces.mjs';
 import { curveCases } from './cases/curves.mjs';
 import { fittingCases } from './cases/fitting.mjs';
 import { meshCases } from './cases/meshes.mjs';
@@ -20,7 +21,7 @@ import { compare, largestDifference } from './ratio.mjs';
 
 const cases = [
     ...curveCases, ...refinementCases, ...fittingCases, ...subdivisionCases, ...blendingCases,
-    ...surfaceCases, ...meshCases, ...nativeCases,
+    ...surfaceCases, ...blendingSurfaceCases, ...meshCases, ...nativeCases,
 ];
 
 /** @param {Work} work */

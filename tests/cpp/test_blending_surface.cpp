@@ -216,6 +216,18 @@ TEST(BlendingSurface, RefusesWhatCannotBeBlendedWithThePlaceOfTheFault) {
     EXPECT_EQ(refusal(torus, along(3), along(2), {}, poses).code, Code::wrongLength);
 }
 
+TEST(BlendingSurface, RefusesNestsThatAreTooDeep) {
+    Surface nested = test::model("plane");
+    for (int depth = 0; depth < 8; ++depth) {
+        nested = BlendingSurface::make(nested, along(2), along(2), {}).value();
+    }
+    const Error error = refusal(nested, along(2), along(2));
+    EXPECT_EQ(error.code, Code::tooLarge);
+    EXPECT_EQ(error.path, "model");
+    // A Bézier patch does not ask its model again.
+    EXPECT_TRUE(BlendingSurface::make(nested, along(2), along(2), {PatchKind::bezier, {3, 3}}).ok());
+}
+
 TEST(BlendingSurface, RefusesNestsOfWhichOnePointTakesTooManyOfTheModel) {
     Surface nested = test::model("plane");
     Error error;
