@@ -1,7 +1,6 @@
 #include "geometry/blending_grid.hpp"
 
 #include "geometry/blending_kernels.hpp"
-#include "geometry/polynomial_piece.hpp"
 #include "geometry/surface.hpp"
 #include "geometry/surface_differential.hpp"
 
@@ -36,12 +35,23 @@ BlendTable::BlendTable(const BlendDirection& along, const GridLine& line)
     for (std::size_t i = 0; i < line.count; ++i) values_[line.count + i] /= spans_[i].length;
 }
 
-// ---- Planes and Bézier patches -----------------------------------------------------------------
-
-bool BlendedPolynomialGrid::suits(const BlendingSurface& surface) noexcept {
-    return !surface.cutsModel() &&
-           static_cast<std::size_t>(surface.cut().orders().v) <= maxPowerDegree;
+double leastNormal(const BlendingSurface& surface) noexcept {
+    constexpr SurfaceOrders orders{1, 1};
+    std::array<Vec3, orders.size()> rows;
+    double alongU = 0;
+    double alongV = 0;
+    for (std::size_t i = 0; i < surface.alongU().count; ++i) {
+        for (std::size_t j = 0; j < surface.alongV().count; ++j) {
+            const SurfacePlace at{surface.alongU().knots[i], surface.alongV().knots[j]};
+            surface.patch(i, j, at, orders, rows);
+            alongU = std::max(alongU, glm::length(rows[orders.at(1, 0)]));
+            alongV = std::max(alongV, glm::length(rows[orders.at(0, 1)]));
+        }
+    }
+    return clearly * alongU * alongV;
 }
+
+// ---- Planes and Bézier patches -----------------------------------------------------------------
 
 BlendedPolynomialGrid::BlendedPolynomialGrid(const BlendingSurface& surface, const GridLine& u,
                                              const GridLine& v)
@@ -49,7 +59,8 @@ BlendedPolynomialGrid::BlendedPolynomialGrid(const BlendingSurface& surface, con
       u_(surface.alongU(), u),
       v_(surface.alongV(), v),
       degree_(surface.cut().orders()),
-      stride_((3 * degree_.columns() + 1) / 2 * 2) {
+      stride_((3 * degree_.columns() + 1) / 2 * 2),
+      least_(leastNormal(surface)) {
     const std::size_t room = v.count + 1;
     for (std::vector<double>* numbers : {&local_, &weights_, &slopes_, &inverses_}) {
         numbers->resize(room);
@@ -66,7 +77,6 @@ BlendedPolynomialGrid::BlendedPolynomialGrid(const BlendingSurface& surface, con
         slopes_[j] = v_.slope(j) * span.length / 2;
     }
     addNet();
-    findLeast();
     row_.resize(cells_.size() * 12 * degree_.columns());
 }
 
@@ -106,27 +116,17 @@ void BlendedPolynomialGrid::addNet() {
     }
 }
 
-void BlendedPolynomialGrid::findLeast() {
-    double alongU = 0;
-    double alongV = 0;
-    for (std::size_t i = 0; i < surface_.alongU().count; ++i) {
-        for (std::size_t j = 0; j < surface_.alongV().count; ++j) {
-            const Affine& placement = surface_.place(i, j).placement();
-            const auto matrix = surface_.matrix(i, j);
-            alongU = std::max(alongU, glm::length(placement.vector(matrix[degree_.at(1, 0)])));
-            alongV = std::max(alongV, glm::length(placement.vector(matrix[degree_.at(0, 1)])));
-        }
-    }
-    least_ = clearly * alongU * alongV;
-}
+/// The factors of the lines of the patches before and after, for P and for Pu.
+struct BlendedPolynomialGrid::LineFactors {
+    std::array<double, 2 * (maxSurfaceOrder + 1)> values;
+    std::array<double, 2 * (maxSurfaceOrder + 1)> slopes;
+};
 
-void BlendedPolynomialGrid::prepare(std::size_t row) noexcept {
-    constexpr std::size_t longest = 3 * (maxPowerDegree + 1) + 1;
+BlendedPolynomialGrid::LineFactors BlendedPolynomialGrid::factorsAt(
+    std::size_t row) const noexcept {
     const std::size_t lines = static_cast<std::size_t>(degree_.u) + 1;
     const BlendingSpan& span = u_.span(row);
-    // The factors of line k of the patches before and after, for P and for Pu.
-    std::array<double, 2 * (maxSurfaceOrder + 1)> factors;
-    std::array<double, 2 * (maxSurfaceOrder + 1)> slopes;
+    LineFactors factors;
     for (std::size_t a = 0; a < 2; ++a) {
         const std::size_t i = a == 0 ? span.first : span.second;
         const double x = span.t - (a == 0 ? 0 : span.shift) - surface_.alongU().knots[i];
@@ -135,27 +135,35 @@ void BlendedPolynomialGrid::prepare(std::size_t row) noexcept {
         std::array<double, maxSurfaceOrder + 1> powers;
         taylorPowers(x, std::span<double>(powers).first(lines));
         for (std::size_t k = 0; k < lines; ++k) {
-            factors[a * lines + k] = weight * powers[k];
-            slopes[a * lines + k] = slope * powers[k] + (k > 0 ? weight * powers[k - 1] : 0);
+            factors.values[a * lines + k] = weight * powers[k];
+            factors.slopes[a * lines + k] =
+                slope * powers[k] + (k > 0 ? weight * powers[k - 1] : 0);
         }
     }
+    return factors;
+}
+
+void BlendedPolynomialGrid::prepare(std::size_t row) noexcept {
+    constexpr std::size_t longest = 3 * (maxSurfaceOrder + 1) + 1;
+    const std::size_t lines = static_cast<std::size_t>(degree_.u) + 1;
+    const LineFactors factors = factorsAt(row);
     double* to = row_.data();
     for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
         std::array<double, 2 * longest> points;  // of b = 0 and b = 1, each stride_ long
         std::array<double, 2 * longest> alongs;
         for (std::size_t b = 0; b < 2; ++b) {
-            const double* first = netAt(span.first, cell, b);
-            const double* second = netAt(span.second, cell, b);
+            const double* first = netAt(u_.span(row).first, cell, b);
+            const double* second = netAt(u_.span(row).second, cell, b);
             for (std::size_t n = 0; n < stride_; n += 2) {
                 Double2 point = simd::splat(0);
                 Double2 along = simd::splat(0);
                 for (std::size_t k = 0; k < lines; ++k) {
                     const Double2 before = simd::load(first + k * stride_ + n);
                     const Double2 after = simd::load(second + k * stride_ + n);
-                    point = point + simd::splat(factors[k]) * before +
-                            simd::splat(factors[lines + k]) * after;
-                    along = along + simd::splat(slopes[k]) * before +
-                            simd::splat(slopes[lines + k]) * after;
+                    point = point + simd::splat(factors.values[k]) * before +
+                            simd::splat(factors.values[lines + k]) * after;
+                    along = along + simd::splat(factors.slopes[k]) * before +
+                            simd::splat(factors.slopes[lines + k]) * after;
                 }
                 simd::store(&points[b * stride_ + n], point);
                 simd::store(&alongs[b * stride_ + n], along);
@@ -190,108 +198,6 @@ void BlendedPolynomialGrid::columns(std::size_t first, std::size_t count, double
         for (std::size_t j = from; j < to; ++j) {
             if (!(inverses_[j] < most)) unclear_.push_back(j);
         }
-    }
-}
-
-// ---- Sub-surfaces of a parametric model --------------------------------------------------------
-
-namespace {
-
-Affine plus(const Affine& a, double factor, const Affine& b) noexcept {
-    return {a.linear + factor * b.linear, a.offset + factor * b.offset};
-}
-
-Affine minus(const Affine& a, const Affine& b) noexcept { return plus(a, -1, b); }
-
-}  // namespace
-
-bool BlendedModelGrid::suits(const BlendingSurface& surface) noexcept {
-    const auto shifts = [](const BlendDirection& along, double shift) {
-        return along.closed() && shift != 0;
-    };
-    const BlendingSpan lastU = surface.alongU().spanAt(surface.domain().u.end, Side::left);
-    const BlendingSpan lastV = surface.alongV().spanAt(surface.domain().v.end, Side::left);
-    return surface.cutsModel() && surface.model().as<ParametricSurface>() != nullptr &&
-           !shifts(surface.alongU(), surface.shiftU(lastU)) &&
-           !shifts(surface.alongV(), surface.shiftV(lastV));
-}
-
-BlendedModelGrid::BlendedModelGrid(const BlendingSurface& surface, const GridLine& u,
-                                   const GridLine& v)
-    : surface_(surface),
-      model_(*surface.model().as<ParametricSurface>()),
-      u_(surface.alongU(), u),
-      v_(surface.alongV(), v),
-      terms_(model_.axes().size()),
-      lengthU_(u.domain.length()),
-      lengthV_(v.domain.length()),
-      alongU_(2 * terms_ * u.count),
-      alongV_(2 * terms_ * v.count),
-      maps_(surface.alongV().knots.size()) {
-    for (std::size_t i = 0; i < u.count; ++i) {
-        model_.factorsU(u_.span(i).t, 1, std::span(alongU_).subspan(2 * terms_ * i));
-    }
-    for (std::size_t j = 0; j < v.count; ++j) {
-        model_.factorsV(v_.span(j).t, 1, std::span(alongV_).subspan(2 * terms_ * j));
-    }
-}
-
-void BlendedModelGrid::prepare(std::size_t row) noexcept {
-    row_ = row;
-    const BlendingSpan& u = u_.span(row);
-    const std::size_t columns = surface_.alongV().count;
-    const bool closed = surface_.alongV().closed();
-    for (std::size_t j = 0; j < (closed ? columns : columns - 1); ++j) {
-        const std::size_t next = j + 1 == columns ? 0 : j + 1;
-        const Affine& p00 = surface_.place(u.first, j).placement();
-        const Affine& p10 = surface_.place(u.second, j).placement();
-        const Affine& p01 = surface_.place(u.first, next).placement();
-        const Affine& p11 = surface_.place(u.second, next).placement();
-        Maps& maps = maps_[j];
-        maps.alike = p00 == p10 && p00 == p01 && p00 == p11;
-        maps.first = p00;
-        if (maps.alike) continue;
-        const Affine change = minus(p10, p00);
-        const Affine nextChange = minus(p11, p01);
-        maps.first = plus(p00, u_.value(row), change);
-        maps.step = minus(plus(p01, u_.value(row), nextChange), maps.first);
-        const Affine none{Mat3(0.0), Vec3(0)};
-        maps.firstU = plus(none, u_.slope(row), change);
-        maps.stepU = plus(none, u_.slope(row), minus(nextChange, change));
-    }
-}
-
-void BlendedModelGrid::columns(std::size_t first, std::size_t count, double* positions,
-                               double* normals) noexcept {
-    unclear_.clear();
-    const std::span<const std::uint8_t> axes = model_.axes();
-    const double* f = &alongU_[2 * terms_ * row_];
-    for (std::size_t j = first; j < first + count; ++j, positions += 3, normals += 3) {
-        const double* g = &alongV_[2 * terms_ * j];
-        Vec3 s(0);
-        Vec3 su(0);
-        Vec3 sv(0);
-        for (std::size_t k = 0; k < terms_; ++k) {
-            const std::uint8_t axis = axes[k];
-            s[axis] += f[2 * k] * g[2 * k];
-            su[axis] += f[2 * k + 1] * g[2 * k];
-            sv[axis] += f[2 * k] * g[2 * k + 1];
-        }
-        const Maps& maps = maps_[v_.span(j).first];
-        Affine map = maps.first;
-        if (!maps.alike) {
-            map = plus(maps.first, v_.value(j), maps.step);
-            const Affine alongU = plus(maps.firstU, v_.value(j), maps.stepU);
-            su = map.vector(su) + alongU.point(s);
-            sv = map.vector(sv) + v_.slope(j) * maps.step.point(s);
-        } else {
-            su = map.vector(su);
-            sv = map.vector(sv);
-        }
-        const Vec3 normal = plainNormal(su, sv, lengthU_, lengthV_);
-        if (normal == Vec3(0)) unclear_.push_back(j);
-        write(map.point(s), positions);
-        write(normal, normals);
     }
 }
 

@@ -8,7 +8,6 @@
 
 #include "geometry/blending_surface.hpp"
 #include "geometry/grid_line.hpp"
-#include "geometry/parametric_surface.hpp"
 
 #include <array>
 #include <cstddef>
@@ -38,11 +37,12 @@ struct BlendRun {
     std::size_t cell;
 };
 
-/// Planes, and Bézier patches of a degree up to maxPowerDegree in v.
+/// Below this |Su × Sv| a normal is looked at closely: a small part of what it is at the knots.
+[[nodiscard]] double leastNormal(const BlendingSurface& surface) noexcept;
+
+/// Planes and Bézier patches.
 class BlendedPolynomialGrid {
 public:
-    /// Whether this is a surface of that sort.
-    [[nodiscard]] static bool suits(const BlendingSurface& surface) noexcept;
     /// The surface has to outlive it.
     BlendedPolynomialGrid(const BlendingSurface& surface, const GridLine& u, const GridLine& v);
 
@@ -54,8 +54,10 @@ public:
     [[nodiscard]] const std::vector<std::size_t>& unclear() const noexcept { return unclear_; }
 
 private:
+    struct LineFactors;
+
     void addNet();
-    void findLeast();
+    [[nodiscard]] LineFactors factorsAt(std::size_t row) const noexcept;
     [[nodiscard]] const double* netAt(std::size_t patch, std::size_t cell,
                                       std::size_t b) const noexcept;
 
@@ -64,6 +66,7 @@ private:
     BlendTable v_;
     SurfaceOrders degree_;
     std::size_t stride_;  // numbers of one power form: 3 (d_v + 1), rounded up to even
+    double least_;        // of |Su × Sv| where it tells the normal
     std::vector<BlendingSpan> cells_;  // along v, ascending
     std::vector<BlendRun> runs_;
     std::vector<double> net_;      // patch row by patch row: cell, b, power of u, power form in v
@@ -72,45 +75,6 @@ private:
     std::vector<double> weights_;  // γ …
     std::vector<double> slopes_;   // … and dγ/dw
     std::vector<double> inverses_;
-    std::vector<std::size_t> unclear_;
-    double least_ = 0;  // of |Su × Sv| where it tells the normal
-};
-
-/// Sub-surfaces of a parametric model that is not shifted at a seam. Where patches are placed
-/// differently a blend of affine maps acts on the model's point.
-class BlendedModelGrid {
-public:
-    /// Whether this is a surface of that sort.
-    [[nodiscard]] static bool suits(const BlendingSurface& surface) noexcept;
-    /// The surface has to outlive it.
-    BlendedModelGrid(const BlendingSurface& surface, const GridLine& u, const GridLine& v);
-
-    void prepare(std::size_t row) noexcept;
-    void columns(std::size_t first, std::size_t count, double* positions,
-                 double* normals) noexcept;
-    [[nodiscard]] const std::vector<std::size_t>& unclear() const noexcept { return unclear_; }
-
-private:
-    /// Of a cell in one row: the maps at both knots of v, blended along u, and their derivatives.
-    struct Maps {
-        bool alike = false;
-        Affine first;  // where alike, the only one
-        Affine step;   // second − first
-        Affine firstU;
-        Affine stepU;
-    };
-
-    const BlendingSurface& surface_;
-    const ParametricSurface& model_;
-    BlendTable u_;
-    BlendTable v_;
-    std::size_t terms_;
-    double lengthU_;
-    double lengthV_;
-    std::vector<double> alongU_;  // f_k and its derivative, k by k, parameter by parameter
-    std::vector<double> alongV_;
-    std::vector<Maps> maps_;  // one a span of v
-    std::size_t row_ = 0;
     std::vector<std::size_t> unclear_;
 };
 

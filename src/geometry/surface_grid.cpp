@@ -1,6 +1,7 @@
 #include "geometry/surface_grid.hpp"
 
 #include "geometry/blending_grid.hpp"
+#include "geometry/blending_model_grid.hpp"
 #include "geometry/bspline_grid.hpp"
 #include "geometry/polynomial_piece.hpp"
 #include "geometry/surface_differential.hpp"
@@ -44,7 +45,7 @@ Rows rowsOf(const BlendingSurface& blend, const GridLine& u, const GridLine& v) 
         return std::visit([&](const auto& kind) { return rowsOf(kind, u, v); },
                           blend.model().kind());
     }
-    if (BlendedPolynomialGrid::suits(blend)) return BlendedPolynomialGrid(blend, u, v);
+    if (!blend.cutsModel()) return BlendedPolynomialGrid(blend, u, v);
     if (BlendedModelGrid::suits(blend)) return BlendedModelGrid(blend, u, v);
     return BlendedPointGrid(blend, u, v);
 }

@@ -99,6 +99,15 @@ export const surfaces = [
         model: { type: 'parametric-surface', name: 'plane', parameters: { width: 2, height: 3 } },
         poses: [{ local: [1, 0], translate: [0, 0, 1], rotate: { axis: [0, 0, 1], angle: 1 }, scale: [1, 2, 1] }],
     },
+    {
+        type: 'blending-surface', bFunction: [{ family: 'logistic' }, { family: 'polynomial', p: 2 }], locals: [3, 2],
+        model: { type: 'parametric-surface', name: 'cylinder' },
+        poses: [{ local: [1, 0], translate: [1, 0, 0], rotate: { axis: [0, 0, 1], angle: 1 }, scale: [1, 2, 1] }],
+    },
+    {
+        type: 'blending-surface', bFunction: { family: 'linear' }, locals: [2, 3], kind: 'bezier', degree: [2, 3],
+        model: { type: 'bspline-surface', degree: [2, 3], points: net }, form: ['open', 'closed'], knots: [[0, 1], [0, 1, 2, 3]],
+    },
 ];
 
 export const traces = [
