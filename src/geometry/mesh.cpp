@@ -11,12 +11,18 @@
 namespace knotwork {
 
 struct Mesh::Data {
-    std::vector<Vec3> points;
-    std::vector<std::uint32_t> corners;
+    std::span<const Vec3> points;
+    std::span<const std::uint32_t> corners;
     std::vector<std::uint32_t> starts;
     std::uint32_t uniformSize = 0;
     /// Absent until somebody asks.
     mutable std::optional<MatchedEdges> matched{};
+
+    // What the spans show: one of the two each.
+    std::vector<Vec3> givenPoints{};
+    std::vector<std::uint32_t> givenCorners{};
+    RawArray<Vec3> madePoints{};
+    RawArray<std::uint32_t> madeCorners{};
 
     [[nodiscard]] FaceRows faces() const noexcept { return {corners, starts, uniformSize}; }
 };
@@ -146,8 +152,10 @@ Mesh::Mesh(std::shared_ptr<const Data> data) noexcept : data_(std::move(data)) {
 Mesh Mesh::of(std::vector<Vec3> points, std::vector<std::uint32_t> corners,
               std::vector<std::uint32_t> starts, std::uint32_t size) {
     auto data = std::make_shared<Data>();
-    data->points = std::move(points);
-    data->corners = std::move(corners);
+    data->givenPoints = std::move(points);
+    data->givenCorners = std::move(corners);
+    data->points = data->givenPoints;
+    data->corners = data->givenCorners;
     data->starts = std::move(starts);
     data->uniformSize = size;
     return Mesh(std::move(data));
@@ -163,6 +171,16 @@ Mesh Mesh::trusted(std::vector<Vec3> points, std::vector<std::uint32_t> corners,
 Mesh Mesh::trusted(std::vector<Vec3> points, std::vector<std::uint32_t> corners,
                    std::uint32_t size) {
     return of(std::move(points), std::move(corners), {}, size);
+}
+
+Mesh Mesh::trusted(RawArray<Vec3> points, RawArray<std::uint32_t> corners, std::uint32_t size) {
+    auto data = std::make_shared<Data>();
+    data->madePoints = std::move(points);
+    data->madeCorners = std::move(corners);
+    data->points = data->madePoints;
+    data->corners = data->madeCorners;
+    data->uniformSize = size;
+    return Mesh(std::move(data));
 }
 
 Result<Mesh> Mesh::checked(Mesh mesh) {

@@ -10,6 +10,7 @@
 // mesh and its copies are for one thread at a time.
 #pragma once
 
+#include "geometry/raw_array.hpp"
 #include "geometry/result.hpp"
 #include "geometry/vec.hpp"
 
@@ -86,6 +87,8 @@ public:
                                       std::vector<std::uint32_t> starts);
     [[nodiscard]] static Mesh trusted(std::vector<Vec3> points, std::vector<std::uint32_t> corners,
                                       std::uint32_t size);
+    [[nodiscard]] static Mesh trusted(RawArray<Vec3> points, RawArray<std::uint32_t> corners,
+                                      std::uint32_t size);
 
     [[nodiscard]] std::span<const Vec3> points() const noexcept;
     [[nodiscard]] FaceRows faces() const noexcept;
@@ -95,7 +98,8 @@ public:
     [[nodiscard]] std::uint32_t uniformSize() const noexcept;
 
     /// In the order in which one meets them walking along the faces. Made once, in O(n) whatever
-    /// the valences: 16 bytes an edge and 4 a corner stay, twice as much more is needed for a moment.
+    /// the valences: 16 bytes an edge and 4 a corner stay, twice as much more is needed for a
+    /// moment.
     [[nodiscard]] std::span<const MeshEdge> edges() const;
     /// For every corner the edge from it to the next corner of its face. Made with the edges.
     [[nodiscard]] std::span<const std::uint32_t> cornerEdges() const;

@@ -1,6 +1,7 @@
 #include "geometry/mesh_fans.hpp"
 #include "geometry/mesh_schemes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -184,9 +185,9 @@ private:
 
 // ---- A level -----------------------------------------------------------------------------------
 
-std::vector<Vec3> finerPoints(const MeshLevel& level, std::span<const std::uint32_t> irregular) {
+RawArray<Vec3> finerPoints(const MeshLevel& level, std::span<const std::uint32_t> irregular) {
     const std::size_t vertices = level.points.size();
-    std::vector<Vec3> finer(vertices + level.edges);
+    RawArray<Vec3> finer(vertices + level.edges);
     std::copy(level.points.begin(), level.points.end(), finer.begin());
     Vec3* ofEdges = finer.data() + vertices;
     const CornerWalk walk(level.faces, level.cornerEdges, level.edges);
@@ -216,7 +217,7 @@ Mesh subdivideButterfly(const Mesh& mesh, int levels) {
         level = quarteredLevel(level, finerPoints(level, irregular));
         for (std::uint32_t& corner : irregular) corner = 12 * (corner / 3) + 3 * (corner % 3);
     }
-    std::vector<Vec3> points = finerPoints(level, irregular);
+    RawArray<Vec3> points = finerPoints(level, irregular);
     return Mesh::trusted(std::move(points), quarteredTriangles(level), 3U);
 }
 

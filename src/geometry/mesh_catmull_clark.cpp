@@ -77,10 +77,11 @@ void moveVertices(const MeshLevel& level, Vec3* vertices) noexcept {
     }
 }
 
-std::vector<Vec3> finerPoints(const MeshLevel& level) {
+RawArray<Vec3> finerPoints(const MeshLevel& level) {
     const std::size_t vertices = level.points.size();
     const std::size_t faces = level.faces.count();
-    std::vector<Vec3> finer(vertices + faces + level.edges, Vec3{0});
+    RawArray<Vec3> finer(vertices + faces + level.edges);
+    std::fill_n(finer.data(), vertices, Vec3{0});
     Vec3* edgePoints = finer.data() + vertices + faces;
     Parts to{finer.data(), finer.data() + vertices, EdgePoints(edgePoints)};
     const Vec3* points = level.points.data();
@@ -99,10 +100,10 @@ std::vector<Vec3> finerPoints(const MeshLevel& level) {
 }
 
 /// Corner k of a face becomes the quad v_k, e_k, f, e_{k−1}.
-std::vector<std::uint32_t> finerCorners(const MeshLevel& level) {
+RawArray<std::uint32_t> finerCorners(const MeshLevel& level) {
     const auto firstFace = static_cast<std::uint32_t>(level.points.size());
     const auto firstEdge = static_cast<std::uint32_t>(firstFace + level.faces.count());
-    std::vector<std::uint32_t> finer(4 * level.faces.corners.size());
+    RawArray<std::uint32_t> finer(4 * level.faces.corners.size());
     std::uint32_t* to = finer.data();
     visitFaces(level.faces, [&](std::size_t face, std::size_t begin, auto size) {
         const std::uint32_t* corners = level.faces.corners.data() + begin;
@@ -121,8 +122,8 @@ std::vector<std::uint32_t> finerCorners(const MeshLevel& level) {
 }
 
 /// The edges of those quads: half of e_k, the edge inside from e_k, that from e_{k−1}, half of it.
-std::vector<std::uint32_t> finerCornerEdges(const MeshLevel& level, FinerEdges& numbers) {
-    std::vector<std::uint32_t> finer(4 * level.faces.corners.size());
+RawArray<std::uint32_t> finerCornerEdges(const MeshLevel& level, FinerEdges& numbers) {
+    RawArray<std::uint32_t> finer(4 * level.faces.corners.size());
     std::uint32_t* to = finer.data();
     visitFaces(level.faces, [&](std::size_t, std::size_t begin, auto size) {
         const std::uint32_t* edges = level.cornerEdges.data() + begin;

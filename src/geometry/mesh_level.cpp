@@ -19,7 +19,7 @@ MeshLevel firstLevel(const Mesh& mesh) {
     return level;
 }
 
-MeshLevel ownLevel(std::vector<Vec3> points, std::vector<std::uint32_t> corners,
+MeshLevel ownLevel(RawArray<Vec3> points, RawArray<std::uint32_t> corners,
                    std::uint32_t size) {
     MeshLevel level;
     level.ownPoints = std::move(points);

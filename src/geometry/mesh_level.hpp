@@ -35,9 +35,9 @@ struct MeshLevel {
     std::vector<std::uint32_t> valences;
 
     // What the spans show, unless it is a mesh's.
-    std::vector<Vec3> ownPoints;
-    std::vector<std::uint32_t> ownCorners;
-    std::vector<std::uint32_t> ownCornerEdges;
+    RawArray<Vec3> ownPoints;
+    RawArray<std::uint32_t> ownCorners;
+    RawArray<std::uint32_t> ownCornerEdges;
 
     [[nodiscard]] std::uint32_t from(const BoundaryEdge& edge) const noexcept {
         return faces.corners[edge.corner];
@@ -51,7 +51,7 @@ struct MeshLevel {
 [[nodiscard]] MeshLevel firstLevel(const Mesh& mesh);
 
 /// A level that owns its points and its faces of `size` corners.
-[[nodiscard]] MeshLevel ownLevel(std::vector<Vec3> points, std::vector<std::uint32_t> corners,
+[[nodiscard]] MeshLevel ownLevel(RawArray<Vec3> points, RawArray<std::uint32_t> corners,
                                  std::uint32_t size);
 
 /// The boundary edges of a mesh in the order of their corners, each with those beside it.

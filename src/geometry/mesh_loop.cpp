@@ -1,5 +1,6 @@
 #include "geometry/mesh_schemes.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,9 +50,10 @@ void moveVertices(const MeshLevel& level, Vec3* vertices) noexcept {
     }
 }
 
-std::vector<Vec3> finerPoints(const MeshLevel& level) {
+RawArray<Vec3> finerPoints(const MeshLevel& level) {
     const std::size_t vertices = level.points.size();
-    std::vector<Vec3> finer(vertices + level.edges, Vec3{0});
+    RawArray<Vec3> finer(vertices + level.edges);
+    std::fill_n(finer.data(), vertices, Vec3{0});
     Vec3* ofEdges = finer.data() + vertices;
     EdgePoints edgePoints(ofEdges);
     const std::uint32_t* corners = level.faces.corners.data();
@@ -69,7 +71,7 @@ std::vector<Vec3> finerPoints(const MeshLevel& level) {
 Mesh subdivideLoop(const Mesh& mesh, int levels) {
     MeshLevel level = firstLevel(mesh);
     for (int done = 1; done < levels; ++done) level = quarteredLevel(level, finerPoints(level));
-    std::vector<Vec3> points = finerPoints(level);
+    RawArray<Vec3> points = finerPoints(level);
     return Mesh::trusted(std::move(points), quarteredTriangles(level), 3U);
 }
 

@@ -23,9 +23,9 @@ namespace knotwork {
 // Triangles cut in four at the middles of their edges, as Loop's and the Butterfly's are.
 
 /// The corners of the finer triangles.
-[[nodiscard]] std::vector<std::uint32_t> quarteredTriangles(const MeshLevel& level);
+[[nodiscard]] RawArray<std::uint32_t> quarteredTriangles(const MeshLevel& level);
 /// The finer level with these points.
-[[nodiscard]] MeshLevel quarteredLevel(const MeshLevel& level, std::vector<Vec3> points);
+[[nodiscard]] MeshLevel quarteredLevel(const MeshLevel& level, RawArray<Vec3> points);
 
 /// What Loop's scheme adds to a vertex of so many triangles for each neighbour: β of v + β Σ (v_j −
 /// v).

@@ -1,6 +1,7 @@
 #include "geometry/mesh_fans.hpp"
 #include "geometry/mesh_schemes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -39,9 +40,9 @@ using simd::store;
 constexpr std::uint32_t boundaryMark = 0x80000000U;
 
 struct Triangles {
-    std::vector<Vec3> points;
-    std::vector<std::uint32_t> corners;
-    std::vector<std::uint32_t> twins;
+    RawArray<Vec3> points;
+    RawArray<std::uint32_t> corners;
+    RawArray<std::uint32_t> twins;
     std::vector<std::uint32_t> valences;
     std::vector<BoundaryEdge> boundary;
 
@@ -66,11 +67,13 @@ std::uint32_t previous(std::uint32_t corner) noexcept {
 
 Triangles trianglesOf(const Mesh& mesh) {
     Triangles t;
-    t.points.assign(mesh.points().begin(), mesh.points().end());
-    t.corners.assign(mesh.corners().begin(), mesh.corners().end());
+    t.points = RawArray<Vec3>(mesh.points().size());
+    t.corners = RawArray<std::uint32_t>(mesh.corners().size());
+    std::copy(mesh.points().begin(), mesh.points().end(), t.points.begin());
+    std::copy(mesh.corners().begin(), mesh.corners().end(), t.corners.begin());
     t.boundary = boundaryOf(mesh);
     const CornerWalk walk(mesh.faces(), mesh.cornerEdges(), mesh.edges().size());
-    t.twins.resize(t.corners.size());
+    t.twins = RawArray<std::uint32_t>(t.corners.size());
     for (std::size_t c = 0; c < t.corners.size(); ++c) t.twins[c] = walk.twin(c);
     for (std::uint32_t b = 0; b < t.boundary.size(); ++b) {
         t.twins[t.boundary[b].corner] = boundaryMark | b;
@@ -83,9 +86,10 @@ Triangles trianglesOf(const Mesh& mesh) {
 // ---- Points ------------------------------------------------------------------------------------
 
 /// Moved vertices and centres, as if there were no boundary.
-std::vector<Vec3> innerPoints(const Triangles& t, std::size_t extra) {
+RawArray<Vec3> innerPoints(const Triangles& t, std::size_t extra) {
     const std::size_t vertices = t.points.size();
-    std::vector<Vec3> finer(vertices + t.faces() + extra, Vec3{0});
+    RawArray<Vec3> finer(vertices + t.faces() + extra);
+    std::fill_n(finer.data(), vertices, Vec3{0});
     for (std::size_t f = 0; f < t.faces(); ++f) {
         const std::uint32_t* c = t.corners.data() + 3 * f;
         const std::array<PointLanes, 3> v{load(t.points[c[0]]), load(t.points[c[1]]),
@@ -107,7 +111,7 @@ std::vector<Vec3> innerPoints(const Triangles& t, std::size_t extra) {
 
 /// The boundary cut in three: p takes the place of its triangle's centre, q comes behind all
 /// others.
-void refineBoundary(const Triangles& t, std::vector<Vec3>& finer) noexcept {
+void refineBoundary(const Triangles& t, RawArray<Vec3>& finer) noexcept {
     const std::size_t vertices = t.points.size();
     for (std::size_t b = 0; b < t.boundary.size(); ++b) {
         const BoundaryEdge& edge = t.boundary[b];
@@ -123,9 +127,9 @@ void refineBoundary(const Triangles& t, std::vector<Vec3>& finer) noexcept {
 
 // ---- Levels that leave the boundary as it is ---------------------------------------------------
 
-std::vector<std::uint32_t> turnedCorners(const Triangles& t) {
+RawArray<std::uint32_t> turnedCorners(const Triangles& t) {
     const auto firstFace = static_cast<std::uint32_t>(t.points.size());
-    std::vector<std::uint32_t> finer(3 * t.corners.size());
+    RawArray<std::uint32_t> finer(3 * t.corners.size());
     std::uint32_t* to = finer.data();
     for (std::uint32_t c = 0; c < t.corners.size(); ++c, to += 3) {
         to[0] = t.corners[c];
@@ -135,8 +139,8 @@ std::vector<std::uint32_t> turnedCorners(const Triangles& t) {
     return finer;
 }
 
-std::vector<std::uint32_t> turnedTwins(const Triangles& t) {
-    std::vector<std::uint32_t> finer(3 * t.corners.size());
+RawArray<std::uint32_t> turnedTwins(const Triangles& t) {
+    RawArray<std::uint32_t> finer(3 * t.corners.size());
     std::uint32_t* to = finer.data();
     for (std::uint32_t c = 0; c < t.corners.size(); ++c, to += 3) {
         const std::uint32_t twin = t.twins[c];
@@ -173,8 +177,8 @@ std::uint32_t centreAt(const Triangles& t, std::uint32_t corner) noexcept {
     return static_cast<std::uint32_t>(vertices + t.faces()) + (before & ~boundaryMark);
 }
 
-std::vector<std::uint32_t> cutCorners(const Triangles& t) {
-    std::vector<std::uint32_t> finer(3 * t.corners.size());
+RawArray<std::uint32_t> cutCorners(const Triangles& t) {
+    RawArray<std::uint32_t> finer(3 * t.corners.size());
     std::uint32_t* to = finer.data();
     for (std::uint32_t c = 0; c < t.corners.size(); ++c, to += 3) {
         const bool cut = t.onBoundary(c);
@@ -190,8 +194,8 @@ std::array<std::uint32_t, 3> cutParts(const Triangles& t, const BoundaryEdge& ed
     return {3 * t.twins[previous(edge.corner)], 3 * edge.corner, 3 * next(edge.corner) + 2};
 }
 
-std::vector<std::uint32_t> cutTwins(const Triangles& t) {
-    std::vector<std::uint32_t> finer = turnedTwins(t);
+RawArray<std::uint32_t> cutTwins(const Triangles& t) {
+    RawArray<std::uint32_t> finer = turnedTwins(t);
     for (std::uint32_t b = 0; b < t.boundary.size(); ++b) {
         const std::uint32_t edge = t.boundary[b].corner;
         const std::uint32_t after = next(edge);
@@ -259,7 +263,7 @@ Mesh subdivideSqrt3(const Mesh& mesh, int levels) {
     const auto cuts = [&](int level) { return level % 2 == 0 && !t.boundary.empty(); };
     for (int level = 1; level < levels; ++level) t = cuts(level) ? cut(t) : turned(t);
     if (!cuts(levels)) return Mesh::trusted(innerPoints(t, 0), turnedCorners(t), 3U);
-    std::vector<Vec3> points = innerPoints(t, t.boundary.size());
+    RawArray<Vec3> points = innerPoints(t, t.boundary.size());
     refineBoundary(t, points);
     return Mesh::trusted(std::move(points), cutCorners(t), 3U);
 }

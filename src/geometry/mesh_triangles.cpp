@@ -7,10 +7,10 @@
 
 namespace knotwork {
 
-std::vector<std::uint32_t> quarteredTriangles(const MeshLevel& level) {
+RawArray<std::uint32_t> quarteredTriangles(const MeshLevel& level) {
     const auto firstEdge = static_cast<std::uint32_t>(level.points.size());
     const std::size_t count = level.faces.count();
-    std::vector<std::uint32_t> finer(12 * count);
+    RawArray<std::uint32_t> finer(12 * count);
     const std::uint32_t* v = level.faces.corners.data();
     const std::uint32_t* edges = level.cornerEdges.data();
     std::uint32_t* to = finer.data();
@@ -28,9 +28,9 @@ std::vector<std::uint32_t> quarteredTriangles(const MeshLevel& level) {
 namespace {
 
 /// Of corner triangle k: half of e_k, the edge that cuts the corner off, half of e_{k−1}.
-std::vector<std::uint32_t> quarteredEdges(const MeshLevel& level, FinerEdges& numbers) {
+RawArray<std::uint32_t> quarteredEdges(const MeshLevel& level, FinerEdges& numbers) {
     const std::size_t count = level.faces.count();
-    std::vector<std::uint32_t> finer(12 * count);
+    RawArray<std::uint32_t> finer(12 * count);
     const std::uint32_t* edges = level.cornerEdges.data();
     std::uint32_t* to = finer.data();
     for (std::size_t face = 0; face < count; ++face, edges += 3, to += 12) {
@@ -49,7 +49,7 @@ std::vector<std::uint32_t> quarteredEdges(const MeshLevel& level, FinerEdges& nu
 
 }  // namespace
 
-MeshLevel quarteredLevel(const MeshLevel& level, std::vector<Vec3> points) {
+MeshLevel quarteredLevel(const MeshLevel& level, RawArray<Vec3> points) {
     MeshLevel finer = ownLevel(std::move(points), quarteredTriangles(level), 3);
     FinerEdges numbers(level.edges);
     finer.ownCornerEdges = quarteredEdges(level, numbers);
