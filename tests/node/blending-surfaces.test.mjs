@@ -90,6 +90,23 @@ for (const kind of ['sub-surface', 'plane', 'bezier']) {
     });
 }
 
+for (const kind of ['sub-surface', 'plane', 'bezier']) {
+    test(`a grid of the kind ${kind} has the points and normals of the surface, and its seam meets itself`, () => {
+        const surface = blend({ kind, poses: [{ local: [0, 1], translate: [1, 0, 0], scale: 2 }] });
+        const [nu, nv] = [9, 7];
+        const { positions, normals } = surface.grid(nu, nv);
+        for (let i = 0; i < nu; ++i) {
+            for (let j = 0; j < nv; ++j) {
+                const [u, v] = [2 * Math.PI * (i / (nu - 1)), 3 * (j / (nv - 1))];
+                const at = 3 * (i * nv + j);
+                near(Array.from(positions.subarray(at, at + 3)), surface.point(u, v), 10 * tolerances.exact);
+                near(Array.from(normals.subarray(at, at + 3)), surface.normal(u, v), 100 * tolerances.exact);
+            }
+        }
+        assert.deepEqual(positions.subarray(0, 3 * nv), positions.subarray(3 * (nu - 1) * nv));
+    });
+}
+
 test('a specification comes back complete', () => {
     const { spec } = blend({ kind: 'bezier', bFunction: [erb, { family: 'linear' }] });
     assert.deepEqual(Object.keys(spec), ['type', 'bFunction', 'model', 'locals', 'kind', 'degree', 'form', 'knots', 'poses']);

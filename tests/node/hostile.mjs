@@ -119,6 +119,7 @@ export const traces = [
     { algorithm: 'lane-riesenfeld', points: polygon, closed: true, degree: 2, levels: 1 },
     { algorithm: 'four-point', points: polygon, closed: false, tension: 0.1, levels: 1 },
     { algorithm: 'blend', curve: curves[8], t: 0.5 },
+    { algorithm: 'blend', surface: surfaces[5], u: 0.5, v: 0.5 },
     { algorithm: 'catmull-clark', mesh: meshes[2], levels: 1 },
 ];
 

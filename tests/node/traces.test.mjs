@@ -190,6 +190,27 @@ test('a blend ends with the point of the curve', () => {
     }
 });
 
+test('a blend of patches ends with the point of the surface, and its weights make it', () => {
+    const surface = {
+        type: 'blending-surface', bFunction: [{ family: 'expo-rational' }, { family: 'linear' }], locals: [4, 3], kind: 'bezier',
+        model: { type: 'parametric-surface', name: 'torus' }, poses: [{ local: [0, 1], translate: [0, 0, 1], scale: 2 }],
+    };
+    const made = kw.surface(surface);
+    for (const [u, v] of [[0, 0], [0.3, 2], [6, 6], [2 * Math.PI, 1], [3, 2 * Math.PI]]) {
+        const frames = trace({ algorithm: 'blend', surface, u, v });
+        assert.equal(frames.length, 5);
+        near(lastPoint(frames), made.point(u, v), tolerances.exact * 16);
+        const { weights, matrix } = frames[2];
+        near(matrix.flat(), weights, 0);
+        const four = frames[3].marked.map((i) => frames[3].points[i]);
+        near([0, 1, 2].map((axis) => four.reduce((sum, point, k) => sum + weights[k] * point[axis], 0)), lastPoint(frames),
+            tolerances.exact * 16);
+    }
+    refuses(() => kw.trace({ algorithm: 'blend', surface: surface.model, u: 0, v: 0 }), 'NOT_SUPPORTED', 'surface.type');
+    refuses(() => kw.trace({ algorithm: 'blend', surface, u: 0 }), 'WRONG_TYPE', 'v');
+    refuses(() => kw.trace({ algorithm: 'blend', surface, u: 0, v: 0, t: 0 }), 'UNKNOWN_FIELD', 't');
+});
+
 test('Catmull–Clark ends with the finer mesh, and its matrix makes it', () => {
     const mesh = { solid: 'cube' };
     const frames = trace({ algorithm: 'catmull-clark', mesh, levels: 2 });

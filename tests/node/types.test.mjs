@@ -80,7 +80,8 @@ void [corners3, k1, torus.normal(1, 2)[0]];
 const handles = kw.surface({ type: 'blending-surface', bFunction: [b.spec, { family: 'linear' }], model: torus.spec, locals: [5, 3],
     kind: 'bezier', degree: [3, 2], form: ['closed', 'open'], poses: [{ local: [0, 1], scale: 2 }] });
 const piece: [number, number] = handles.withPose([1, 2], { translate: [0, 0, 1] }).local(1, 2).domain[0];
-void [piece, handles.knots[1][0], handles.localOrigins.length];
+const four: number[] | undefined = kw.trace({ algorithm: 'blend', surface: handles.spec, u: 0, v: 1 }).frames[2].weights;
+void [four, piece, handles.knots[1][0], handles.localOrigins.length];
 void [finer.closed[0], bent, kw.parametricSurfaces[0].formula];
 const cube = kw.mesh({ solid: 'cube' });
 const ring = kw.mesh({ solid: 'torus', parameters: { around: 6, tube: 0.2 } });
