@@ -60,19 +60,14 @@ Blend::Blend(const BlendingCurve& of, double parameter)
       t(parameter),
       side(parameter == of.domain().end ? Side::left : Side::right) {
     const std::vector<double>& knots = of.knots();
-    const auto after = side == Side::left ? std::lower_bound(knots.begin(), knots.end(), t)
-                                          : std::upper_bound(knots.begin(), knots.end(), t);
-    std::size_t end = std::clamp<std::size_t>(static_cast<std::size_t>(after - knots.begin()), 1,
-                                              knots.size() - 1);
-    while (knots[end] == knots[end - 1] && knots[end] < knots.back()) ++end;
-    while (knots[end] == knots[end - 1]) --end;
-    first = end - 1;
-    const bool wraps = end == of.locals().size();
-    second = wraps ? 0 : end;
-    shift = wraps ? knots.back() - knots.front() : 0;
-    from = knots[end - 1];
-    to = knots[end];
-    w = (t - from) / (to - from);
+    const BlendForm form = of.closed() ? BlendForm::closed : BlendForm::open;
+    const BlendingSpan span = blendingSpan(knots, form, t, side);
+    first = span.first;
+    second = span.second;
+    shift = span.shift;
+    from = span.start;
+    to = span.start + span.length;
+    w = span.ratio();
     b = of.blend().value(w);
     firstPoint = at(first, t, 0);
     secondPoint = at(second, t, shift);
