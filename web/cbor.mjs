@@ -21,14 +21,25 @@ const rowsOf = [0xd8, 40];
 /** Whether the bytes of a Float64Array are in the order in which they cross. */
 const littleEndian = new Uint8Array(Uint16Array.of(1).buffer)[0] === 1;
 
+/** Numbers of at least so many bytes are copied once, straight to where they go. */
+const longBytes = 2 ** 13;
+
 const loneSurrogate = /[\uD800-\uDFFF]/u;
 const utf8 = new TextEncoder();
+
+/**
+ * Numbers that stand between two of the bytes that have been written.
+ * @typedef {{ at: number, numbers: Float64Array, size: number }} Inset
+ */
 
 /** Writes one value after the other into a buffer that is used again. */
 export class Encoder {
     #bytes = new Uint8Array(4096);
     #view = new DataView(this.#bytes.buffer);
     #length = 0;
+    /** @type {Inset[]} */
+    #insets = [];
+    #insetBytes = 0;
     /** @type {(string | number)[]} keys and indices that lead to where the encoder is */
     #trail = [];
     #busy = false;
@@ -39,12 +50,13 @@ export class Encoder {
     }
 
     /**
-     * The bytes, until the next call.
+     * Gets a value ready for write(), and answers how many bytes it has.
      * @param {unknown} value
-     * @returns {Uint8Array}
      */
     encode(value) {
         this.#length = 0;
+        this.#insets.length = 0;
+        this.#insetBytes = 0;
         if (this.#trail.length > 0) this.#trail.length = 0;
         this.#busy = true;
         try {
@@ -54,7 +66,33 @@ export class Encoder {
         } finally {
             this.#busy = false;
         }
-        return this.#bytes.subarray(0, this.#length);
+        return this.#length + this.#insetBytes;
+    }
+
+    /**
+     * Writes what has been encoded.
+     * @param {Uint8Array} target
+     * @param {number} start
+     */
+    write(target, start) {
+        let to = start;
+        let from = 0;
+        const writeUntil = (/** @type {number} */ end) => {
+            target.set(this.#bytes.subarray(from, end), to);
+            to += end - from;
+            from = end;
+        };
+        for (const { at, numbers, size } of this.#insets) {
+            writeUntil(at);
+            // A getter that was read later may have given the array's memory away.
+            if (8 * lengthOfNumbers(numbers) !== size) {
+                throw new KnotworkError('WRONG_TYPE', '', 'A Float64Array has changed its length while it was read.');
+            }
+            target.set(bytesOf(numbers), to);
+            to += size;
+        }
+        writeUntil(this.#length);
+        this.#insets.length = 0; // holds nobody's arrays
     }
 
     /** @param {unknown} value */
@@ -168,6 +206,11 @@ export class Encoder {
     #numbers(numbers) {
         const length = lengthOfNumbers(numbers);
         this.#head(majorBytes, 8 * length);
+        if (littleEndian && 8 * length >= longBytes) {
+            this.#insets.push({ at: this.#length, numbers, size: 8 * length });
+            this.#insetBytes += 8 * length;
+            return this.#reserve(0);
+        }
         this.#reserve(8 * length);
         if (littleEndian && length > 0) {
             this.#bytes.set(bytesOf(numbers), this.#length);
@@ -235,8 +278,8 @@ export class Encoder {
     /** @param {number} more */
     #reserve(more) {
         const needed = this.#length + more;
+        if (needed + this.#insetBytes > mostBytes) throw this.#tooLarge();
         if (needed <= this.#bytes.length) return;
-        if (needed > mostBytes) throw this.#tooLarge();
         const grown = new Uint8Array(2 ** Math.ceil(Math.log2(needed)));
         grown.set(this.#bytes.subarray(0, this.#length));
         this.#bytes = grown;

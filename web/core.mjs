@@ -105,10 +105,10 @@ export class Core {
      */
     send(value) {
         const encoder = this.#encoder.busy ? new Encoder() : this.#encoder;
-        const bytes = encoder.encode(value);
-        this.#makeRoom(bytes.length);
-        this.#module.HEAPU8.set(bytes, this.#roomStart);
-        return bytes.length;
+        const size = encoder.encode(value);
+        this.#makeRoom(size);
+        encoder.write(this.#module.HEAPU8, this.#roomStart);
+        return size;
     }
 
     /**

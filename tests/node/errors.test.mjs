@@ -100,6 +100,31 @@ test('a getter may use the module while its object is read', () => {
     assert.deepEqual(kw.curve(nested).point(1), [1, 0, 0]);
 });
 
+test('long lists of numbers cross exactly, wherever they stand', () => {
+    const random = randomness(5);
+    const points = Float64Array.from({ length: 3 * 2000 }, () => random.between(-1, 1));
+    const knots = Float64Array.from({ length: 2004 }, (_, i) => Math.min(Math.max(i - 3, 0), 1997));
+    for (const spec of [{ type: 'bspline-curve', degree: 3, points, knots }, { knots, points, degree: 3, type: 'bspline-curve' }]) {
+        const curve = kw.curve(spec);
+        assert.deepEqual(curve.controlPoints(), points);
+        assert.deepEqual(Float64Array.from(curve.knots), knots);
+        curve.dispose();
+    }
+});
+
+test('an array whose memory a getter gives away is refused', () => {
+    const points = new Float64Array(3 * 2000);
+    const given = {
+        type: 'bspline-curve', points,
+        get degree() {
+            structuredClone(points.buffer, { transfer: [points.buffer] });
+            return 3;
+        },
+    };
+    refuses(() => kw.curve(given), 'WRONG_TYPE', '');
+    kw.curve(circle).dispose();
+});
+
 test('cycles and depths are refused', () => {
     const cycle = { type: 'blending-curve', bFunction: { family: 'linear' } };
     cycle.model = cycle;
