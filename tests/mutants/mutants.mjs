@@ -56,7 +56,7 @@ export const mutants = [
     },
     {
         name: 'closed local not shifted: the last span takes the first local where it stands',
-        file: 'blending_curve.cpp',
+        file: 'blending_knots.cpp',
         find: 'wraps ? period : 0, t};',
         replace: 'wraps ? 0 * period : 0, t};',
         test: 'BlendingCurve.AClosedCurveEvaluatesItsFirstLocalOnePeriodEarlierInTheLastSpan',

@@ -5,6 +5,8 @@ import path from 'node:path';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
+import { mutants } from '../mutants/mutants.mjs';
+
 const root = fileURLToPath(new URL('../../', import.meta.url));
 /** @param {string} file */
 const read = (file) => readFileSync(path.join(root, file), 'utf8');
@@ -86,4 +88,14 @@ test('no test is skipped or left for later', () => {
     const own = 'tests/node/repository.test.mjs';
     const found = textFiles().filter((file) => file !== own && file !== 'package-lock.json' && marks.test(read(file)));
     assert.deepEqual(found, []);
+});
+
+test('every mistake that ./dev mutants plants has its one place and its test', () => {
+    const tests = textFiles('tests/cpp').map(read).join('\n');
+    for (const { name, file, find, replace, test: sentence } of mutants) {
+        assert.equal(read(`src/geometry/${file}`).split(find).length, 2, name);
+        assert.notEqual(find, replace, name);
+        const [suite, title] = sentence.split('.');
+        assert.match(tests, new RegExp(`\\b${suite}\\s*,\\s*${title}\\b`), name);
+    }
 });
