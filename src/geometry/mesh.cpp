@@ -240,13 +240,6 @@ MeshCounts Mesh::counts() const {
     return {points().size(), all.size(), faces().count(), static_cast<std::size_t>(open)};
 }
 
-std::size_t Mesh::bytes() const noexcept {
-    const std::size_t indices = data_->corners.size() + data_->starts.size() +
-                                (data_->matched ? data_->matched->cornerEdges.size() : 0);
-    return data_->points.size() * sizeof(Vec3) + indices * sizeof(std::uint32_t) +
-           (data_->matched ? data_->matched->edges.size() * sizeof(MeshEdge) : 0);
-}
-
 std::ptrdiff_t eulerCharacteristic(const MeshCounts& counts) noexcept {
     return static_cast<std::ptrdiff_t>(counts.vertices + counts.faces) -
            static_cast<std::ptrdiff_t>(counts.edges);

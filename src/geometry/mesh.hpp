@@ -106,9 +106,6 @@ public:
 
     [[nodiscard]] MeshCounts counts() const;
 
-    /// Of points, faces and edges, as they are now.
-    [[nodiscard]] std::size_t bytes() const noexcept;
-
 private:
     struct Data;
     explicit Mesh(std::shared_ptr<const Data> data) noexcept;
