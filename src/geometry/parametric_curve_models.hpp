@@ -4,6 +4,7 @@
 // Amer. Math. Monthly 96 (1989), with the parameter reversed. The others are in any handbook.
 #pragma once
 
+#include "geometry/angle.hpp"
 #include "geometry/jet.hpp"
 #include "geometry/parametric_curve_descriptions.hpp"
 
@@ -14,18 +15,6 @@
 #include <variant>
 
 namespace knotwork::parametric_model {
-
-template <class S>
-struct Angle {
-    S sin;
-    S cos;
-};
-template <class S>
-[[nodiscard]] Angle<S> angle(const S& t) noexcept {
-    using std::cos, std::sin;
-    return {sin(t), cos(t)};
-}
-[[nodiscard]] inline SinCos angle(const Jet& t) noexcept { return sinCos(t); }
 
 template <class S>
 using Planar = std::array<S, 2>;

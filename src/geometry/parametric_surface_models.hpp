@@ -5,6 +5,7 @@
 // derivatives come from those of functions of one variable, and a grid from a table a direction.
 #pragma once
 
+#include "geometry/angle.hpp"
 #include "geometry/jet.hpp"
 
 #include <array>
@@ -17,18 +18,6 @@
 namespace knotwork::surface_model {
 
 inline constexpr std::size_t maxTerms = 8;
-
-template <class S>
-struct Angle {
-    S sin;
-    S cos;
-};
-template <class S>
-[[nodiscard]] Angle<S> angle(const S& t) noexcept {
-    using std::cos, std::sin;
-    return {sin(t), cos(t)};
-}
-[[nodiscard]] inline SinCos angle(const Jet& t) noexcept { return sinCos(t); }
 
 /// The numbers of the axes x, y, z.
 template <std::size_t N>

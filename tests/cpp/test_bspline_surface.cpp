@@ -193,20 +193,8 @@ TEST(BsplineSurface, AQuarterOfACylinderIsExact) {
     }
 }
 
-/// An eighth of the unit sphere: a quarter turn of a quarter circle.
-BsplineSurface eighthOfSphere() {
-    const double half = std::numbers::sqrt2 / 2;
-    const auto arc = KnotVector::uniform(2, 3, Form::clamped).value();
-    return BsplineSurface::make(arc, arc,
-                                {{1, 0, 0}, {1, 0, 1}, {0, 0, 1},
-                                 {1, 1, 0}, {1, 1, 1}, {0, 0, 1},
-                                 {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
-                                {1, half, 1, half, 0.5, half, 1, half, 1})
-        .value();
-}
-
 TEST(BsplineSurface, AnEighthOfASphereIsExact) {
-    const BsplineSurface surface = eighthOfSphere();
+    const BsplineSurface surface = test::eighthOfSphere();
     for (int i = 0; i <= 10; ++i) {
         for (int j = 0; j <= 10; ++j) {
             EXPECT_NEAR(glm::length(pointAt(surface, {i / 10.0, j / 10.0})), 1, 4e-16);

@@ -119,20 +119,8 @@ TEST(SurfaceDifferential, TheTipOfAConeHasANormalForEveryDirectionAndNoCurvature
     }
 }
 
-/// An eighth of the unit sphere, rational and biquadratic; v = 1 is its pole.
-Surface eighthOfSphere() {
-    const double half = std::numbers::sqrt2 / 2;
-    const auto arc = KnotVector::uniform(2, 3, Form::clamped).value();
-    return BsplineSurface::make(arc, arc,
-                                {{1, 0, 0}, {1, 0, 1}, {0, 0, 1},
-                                 {1, 1, 0}, {1, 1, 1}, {0, 0, 1},
-                                 {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
-                                {1, half, 1, half, 0.5, half, 1, half, 1})
-        .value();
-}
-
 TEST(SurfaceDifferential, ARationalPieceOfASphereIsOneUpToItsPole) {
-    const Surface sphere = eighthOfSphere();
+    const Surface sphere = test::eighthOfSphere();
     for (const double u : {0.0, 0.3, 1.0}) {
         for (const double v : {0.0, 0.5, 0.999, 1.0}) {
             const SurfacePlace at = place(sphere, u, v);

@@ -33,16 +33,6 @@ std::vector<double> knotsOf(fuzz::Input& input, const Interval& domain, std::siz
     return knots;
 }
 
-Pose poseOf(fuzz::Input& input) {
-    Pose pose;
-    if (input.whole(0, 1) == 0) return pose;
-    pose.translate = {input.real(), input.real(), input.real()};
-    pose.axis = {input.real(), input.real(), input.real()};
-    pose.angle = 10 * input.real();
-    pose.scale = {2 * input.real(), 2 * input.real(), 1};
-    return pose;
-}
-
 /// Whether knots lie where the model is: far from it, polynomials of degree 25 overflow, and
 /// rational ones have poles wherever they are continued.
 bool near(const Interval& knots, const Curve& model) {
@@ -102,7 +92,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t number = count + (form == BlendForm::closed ? 1 : 0);
     std::vector<double> knots = knotsOf(input, domain(model), std::max<std::size_t>(number, 1));
     std::vector<Pose> poses;
-    for (std::size_t j = 0; j < count; ++j) poses.push_back(poseOf(input));
+    for (std::size_t j = 0; j < count; ++j) poses.push_back(fuzz::poseOf(input));
     const auto kind = static_cast<LocalKind>(input.whole(0, 4));
     const int highest = kind == LocalKind::bspline ? 7 : maxDegree;
     const LocalCut cut{kind, static_cast<std::size_t>(input.whole(1, highest))};

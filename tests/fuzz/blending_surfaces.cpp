@@ -49,16 +49,6 @@ BlendDirection directionOf(fuzz::Input& input, const Interval& domain) {
     return along;
 }
 
-Pose poseOf(fuzz::Input& input) {
-    Pose pose;
-    if (input.whole(0, 1) == 0) return pose;
-    pose.translate = {input.real(), input.real(), input.real()};
-    pose.axis = {input.real(), input.real(), input.real()};
-    pose.angle = 10 * input.real();
-    pose.scale = {2 * input.real(), 2 * input.real(), 1};
-    return pose;
-}
-
 /// Whether knots lie where the model is: far from it polynomials grow beyond all bounds.
 bool near(const Interval& knots, const Interval& whole) {
     return knots.start >= whole.start - 3 * whole.length() &&
@@ -142,7 +132,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const PatchCut cut{static_cast<PatchKind>(input.whole(0, 2)),
                        {input.whole(0, 7), input.whole(0, 7)}};
     std::vector<Pose> poses;
-    for (std::size_t k = 0; k < u.count * v.count; ++k) poses.push_back(poseOf(input));
+    for (std::size_t k = 0; k < u.count * v.count; ++k) poses.push_back(fuzz::poseOf(input));
     const auto surface = BlendingSurface::make(model, std::move(u), std::move(v), cut, poses);
     if (!surface) {
         fuzz::check(!surface.error().path.empty(), "a refusal says where");

@@ -6,6 +6,7 @@
 
 #include "geometry/b_function.hpp"
 #include "geometry/bspline_curve.hpp"
+#include "geometry/pose.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,6 +111,17 @@ inline std::vector<double> parametersOf(Input& input, const Interval& domain,
         ts.push_back(std::min(domain.start + domain.length() * input.share(), domain.end));
     }
     return ts;
+}
+
+/// None, or any: turned, moved, and scaled in its plane.
+inline Pose poseOf(Input& input) {
+    Pose pose;
+    if (input.whole(0, 1) == 0) return pose;
+    pose.translate = {input.real(), input.real(), input.real()};
+    pose.axis = {input.real(), input.real(), input.real()};
+    pose.angle = 10 * input.real();
+    pose.scale = {2 * input.real(), 2 * input.real(), 1};
+    return pose;
 }
 
 /// Families and operations up to four deep; refused ones are linear.

@@ -3,6 +3,7 @@
 
 #include "geometry/surface.hpp"
 
+#include <numbers>
 #include <random>
 #include <string>
 #include <string_view>
@@ -19,6 +20,19 @@ inline std::vector<Vec3> matrixAt(const Surface& surface, const SurfacePlace& at
     std::vector<Vec3> rows(orders.size(), Vec3(99));
     derivatives(surface, at, orders, rows);
     return rows;
+}
+
+/// An eighth of the unit sphere: a quarter turn of a quarter circle, rational and biquadratic; v = 1
+/// is its pole.
+inline BsplineSurface eighthOfSphere() {
+    const double half = std::numbers::sqrt2 / 2;
+    const auto arc = KnotVector::uniform(2, 3, Form::clamped).value();
+    return BsplineSurface::make(arc, arc,
+                                {{1, 0, 0}, {1, 0, 1}, {0, 0, 1},
+                                 {1, 1, 0}, {1, 1, 1}, {0, 0, 1},
+                                 {0, 1, 0}, {0, 1, 1}, {0, 0, 1}},
+                                {1, half, 1, half, 0.5, half, 1, half, 1})
+        .value();
 }
 
 /// Knots of this form with uneven gaps, one of them doubled where the degree allows it.
