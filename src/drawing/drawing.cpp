@@ -65,18 +65,22 @@ private:
         drawing_.bounds.add(placed);
     }
 
-    void placeAll(Shape& shape, std::span<const double> xyz, const Affine& first) {
+    /// A part of a curve that is first placed on its own.
+    void placeCurve(Shape& shape, const Curve& curve, const Interval& part, const Affine& first) {
+        const std::vector<double> xyz = polyline(curve, part, options_.tolerance).xyz;
         shape.positions.reserve(xyz.size());
         for (std::size_t i = 0; i < xyz.size(); i += 3) {
             place(shape, first.point({xyz[i], xyz[i + 1], xyz[i + 2]}));
         }
+        shape.source = std::make_shared<const CurvePart>(
+            CurvePart{curve, part, compose(placed_.placement, first)});
     }
 
     void curve() {
         Shape& shape = add(Role::curve, Kind::polyline);
         shape.colour = onBackground(placed_.colour, options_.dark);
         shape.width = static_cast<float>(placed_.object->style.width);
-        placeAll(shape, polyline(placed_.curve, options_.tolerance).xyz, {});
+        placeCurve(shape, placed_.curve, domain(placed_.curve), {});
     }
 
     void polygon(const ControlPolygon& control) {
@@ -124,7 +128,7 @@ private:
         shape.index = static_cast<int>(j);
         const Interval own{local.rate() * part.start + local.shift(),
                            local.rate() * part.end + local.shift()};
-        placeAll(shape, polyline(local.source(), own, options_.tolerance).xyz, local.placement());
+        placeCurve(shape, local.source(), own, local.placement());
     }
 
     /// Solid where the local curve has the greater weight, dashed where its neighbour has it.

@@ -5,6 +5,7 @@
 #include "scene/colour.hpp"
 #include "scene/effects.hpp"
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,12 +30,21 @@ enum class Pane { curve, basis, knots, bFunction };
 [[nodiscard]] std::string_view kindName(Kind kind) noexcept;
 [[nodiscard]] std::string_view paneName(Pane pane) noexcept;
 
+/// A curve over a part of its parameter, where it stands.
+struct CurvePart {
+    Curve curve;
+    Interval part;
+    Affine placement;
+};
+
 struct Shape {
     int object = 0;  ///< index among the scene's objects
     Role role = Role::curve;
     Kind kind = Kind::polyline;
     Pane pane = Pane::curve;
     std::vector<double> positions;  ///< x,y,z triples
+    /// What a polyline approximates, for whoever can draw it exactly; null: nothing but itself.
+    std::shared_ptr<const CurvePart> source;
     Colour colour;
     float width = 2;      ///< line width or point diameter, in CSS pixels
     bool dashed = false;

@@ -103,6 +103,26 @@ TEST(Drawing, AtPhaseZeroAndOneItIsTheRestingDrawingToTheBit) {
     EXPECT_NE(at(0.5).shapes[1].positions, rest.shapes[1].positions);
 }
 
+TEST(Drawing, APolylineOfACurveKnowsTheCurveWhereItStands) {
+    const Drawing drawing = draw(builtin("b-functions").state(), {});
+    std::size_t parts = 0;
+    for (const Shape& shape : drawing.shapes) {
+        const bool curved = shape.role == Role::curve || shape.role == Role::local;
+        ASSERT_EQ(shape.source != nullptr, curved) << roleName(shape.role);
+        if (!curved) continue;
+        ++parts;
+        const auto& [curve, part, placement] = *shape.source;
+        const Vec3 first = placement.point(pointAt(curve, part.start));
+        const Vec3 last = placement.point(pointAt(curve, part.end));
+        const std::size_t end = shape.positions.size();
+        EXPECT_NEAR(first.x, shape.positions[0], 1e-12);
+        EXPECT_NEAR(first.y, shape.positions[1], 1e-12);
+        EXPECT_NEAR(last.x, shape.positions[end - 3], 1e-12);
+        EXPECT_NEAR(last.y, shape.positions[end - 2], 1e-12);
+    }
+    EXPECT_EQ(parts, 14U);  // the ends of an open one have no dashed half outside
+}
+
 TEST(Drawing, BoundsHoldAllThatIsDrawnInTheCurvePane) {
     const Drawing drawing = draw(builtin("butterfly").state(), {});
     for (const Shape& shape : drawing.shapes) {
