@@ -1,6 +1,7 @@
 #include "geometry/surface.hpp"
 
 #include "support/calculus.hpp"
+#include "support/model_formulas.hpp"
 #include "support/surface_gates.hpp"
 #include "support/surfaces.hpp"
 
@@ -20,60 +21,32 @@ using test::model;
 
 constexpr double pi = std::numbers::pi;
 using Point = std::array<Complex, 3>;
-using Formula = Point (*)(Complex u, Complex v);
 
 struct Described {
     std::string name;
     std::vector<NamedValue> parameters;
-    Formula formula;
+
+    [[nodiscard]] ParametricSurface surface() const { return model(name, parameters); }
+    [[nodiscard]] Point at(const Complex& u, const Complex& v) const {
+        return test::modelFormula(name, surface().parameters(), u, v);
+    }
 };
 
-/// The formulas once more, as their descriptions have them, for parameters unlike the defaults.
+/// Parameters unlike the defaults.
 std::vector<Described> described() {
-    return {
-        {"plane", {{"width", 3}, {"height", 2}},
-         [](Complex u, Complex v) { return Point{u, v, 0}; }},
-        {"cylinder", {{"radius", 2}, {"height", 3}},
-         [](Complex u, Complex v) { return Point{2.0 * cos(u), 2.0 * sin(u), v}; }},
-        {"torus", {{"R", 3}, {"r", 0.5}},
-         [](Complex u, Complex v) {
-             const Complex rho = 3.0 + 0.5 * cos(v);
-             return Point{rho * cos(u), rho * sin(u), 0.5 * sin(v)};
-         }},
-        {"sphere", {{"radius", 1.5}},
-         [](Complex u, Complex v) {
-             return Point{1.5 * cos(v) * cos(u), 1.5 * cos(v) * sin(u), 1.5 * sin(v)};
-         }},
-        {"cone", {{"radius", 2}, {"height", 4}},
-         [](Complex u, Complex v) {
-             const Complex rho = 2.0 * (1.0 - v / 4.0);
-             return Point{rho * cos(u), rho * sin(u), v};
-         }},
-        {"moebius", {{"radius", 2}, {"width", 0.5}},
-         [](Complex u, Complex v) {
-             const Complex rho = 2.0 + v * cos(u / 2.0);
-             return Point{rho * cos(u), rho * sin(u), v * sin(u / 2.0)};
-         }},
-        {"klein", {{"R", 3}, {"r", 0.7}},
-         [](Complex u, Complex v) {
-             const Complex w = 0.7 * (cos(u / 2.0) * sin(v) - sin(u / 2.0) * sin(2.0 * v));
-             return Point{(3.0 + w) * cos(u), (3.0 + w) * sin(u),
-                          0.7 * (sin(u / 2.0) * sin(v) + cos(u / 2.0) * sin(2.0 * v))};
-         }},
-        {"helicoid", {{"radius", 2}, {"pitch", 3}, {"turns", 1.5}},
-         [](Complex u, Complex v) {
-             return Point{v * cos(u), v * sin(u), 3.0 * u / (2 * pi)};
-         }},
-        {"seashell", {{"R", 1.2}, {"r", 0.8}, {"height", 2}, {"growth", 1.5}, {"turns", 3}},
-         [](Complex u, Complex v) {
-             const Complex w = pow(Complex(1.5), u / (2 * pi) - 3.0);
-             const Complex rho = w * (1.2 + 0.8 * cos(v));
-             return Point{rho * cos(u), rho * sin(u), w * (0.8 * sin(v) - 2.0)};
-         }}};
+    return {{"plane", {{"width", 3}, {"height", 2}}},
+            {"cylinder", {{"radius", 2}, {"height", 3}}},
+            {"torus", {{"R", 3}, {"r", 0.5}}},
+            {"sphere", {{"radius", 1.5}}},
+            {"cone", {{"radius", 2}, {"height", 4}}},
+            {"moebius", {{"radius", 2}, {"width", 0.5}}},
+            {"klein", {{"R", 3}, {"r", 0.7}}},
+            {"helicoid", {{"radius", 2}, {"pitch", 3}, {"turns", 1.5}}},
+            {"seashell", {{"R", 1.2}, {"r", 0.8}, {"height", 2}, {"growth", 1.5}, {"turns", 3}}}};
 }
 
 /// Cauchy's integral in both variables.
-Vec3 cauchy(Formula formula, double u, double v, int a, int b) {
+Vec3 cauchy(const Described& one, double u, double v, int a, int b) {
     constexpr int points = 24;
     constexpr double radius = 0.75;
     std::array<Complex, 3> sum{};
@@ -81,7 +54,7 @@ Vec3 cauchy(Formula formula, double u, double v, int a, int b) {
         for (int j = 0; j < points; ++j) {
             const double alpha = 2 * pi * (i + 0.5) / points;
             const double beta = 2 * pi * (j + 0.5) / points;
-            const Point value = formula(u + std::polar(radius, alpha), v + std::polar(radius, beta));
+            const Point value = one.at(u + std::polar(radius, alpha), v + std::polar(radius, beta));
             for (std::size_t c = 0; c < 3; ++c) {
                 sum[c] += value[c] * std::polar(1.0, -a * alpha - b * beta);
             }
@@ -94,13 +67,13 @@ Vec3 cauchy(Formula formula, double u, double v, int a, int b) {
 
 TEST(ParametricSurface, EveryModelIsTheFormulaOfItsDescription) {
     for (const Described& one : described()) {
-        const ParametricSurface surface = model(one.name, one.parameters);
+        const ParametricSurface surface = one.surface();
         const Rectangle whole = surface.domain();
         for (int i = 0; i <= 4; ++i) {
             for (int j = 0; j <= 4; ++j) {
                 const double u = uniformParameter(whole.u, static_cast<std::size_t>(i), 5);
                 const double v = uniformParameter(whole.v, static_cast<std::size_t>(j), 5);
-                const Point expected = one.formula(u, v);
+                const Point expected = one.at(u, v);
                 const Vec3 point = pointAt(surface, {u, v});
                 EXPECT_NEAR(point.x, expected[0].real(), gates::modelPoint) << one.name;
                 EXPECT_NEAR(point.y, expected[1].real(), gates::modelPoint) << one.name;
@@ -113,7 +86,7 @@ TEST(ParametricSurface, EveryModelIsTheFormulaOfItsDescription) {
 TEST(ParametricSurface, MixedDerivativesAreThoseOfTheFormula) {
     constexpr SurfaceOrders orders{4, 3};
     for (const Described& one : described()) {
-        const ParametricSurface surface = model(one.name, one.parameters);
+        const ParametricSurface surface = one.surface();
         const Rectangle whole = surface.domain();
         for (const double share : {0.0, 0.31, 1.0}) {
             const double u = whole.u.start + share * whole.u.length();
@@ -121,7 +94,7 @@ TEST(ParametricSurface, MixedDerivativesAreThoseOfTheFormula) {
             const auto rows = matrixAt(surface, {u, v}, orders);
             for (int a = 0; a <= 4; ++a) {
                 for (int b = 0; b <= 3; ++b) {
-                    const Vec3 expected = cauchy(one.formula, u, v, a, b);
+                    const Vec3 expected = cauchy(one, u, v, a, b);
                     const Vec3 found =
                         rows[orders.at(static_cast<std::size_t>(a), static_cast<std::size_t>(b))];
                     EXPECT_LE(glm::length(found - expected), gates::cauchyInTwo)

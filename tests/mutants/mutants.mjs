@@ -173,4 +173,25 @@ export const mutants = [
         replace: 'return (bends.uu + bends.vv) / 8; }',
         test: 'SurfaceTessellation.StaysWithinEveryTolerance',
     },
+    {
+        name: 'the other direction’s period: where v closes, u’s is taken off',
+        file: 'blending_surface.cpp',
+        find: 'b == 1 ? v_.span.t - surface_.shiftV(v_.span)',
+        replace: 'b == 1 ? v_.span.t - surface_.shiftU(v_.span)',
+        test: 'BlendingSurfaceProperty.WhereItIsClosedItEndsAsItBegins',
+    },
+    {
+        name: 'missing 1/h: derivatives of the weights of a blending surface',
+        file: 'blending_surface.cpp',
+        find: 'power /= span.length;',
+        replace: 'power *= span.length;',
+        test: 'SurfaceStepsProperty.DerivativesOfBlendsAreTheStepsOfTheSumOfTheirPatches',
+    },
+    {
+        name: 'the wrong list: refined surfaces keep their weights in their points',
+        file: 'bspline_surface.cpp',
+        find: 'points.push_back(Vec3(point) / point.w);',
+        replace: 'points.push_back(Vec3(point));',
+        test: 'SurfaceProperty.RefinementInBothDirectionsKeepsTheSurface',
+    },
 ];

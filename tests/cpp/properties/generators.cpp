@@ -71,9 +71,8 @@ std::vector<double> clampedKnots(int degree, int count, bool nearlyEqual) {
     return knots;
 }
 
-std::vector<double> knotsOf(const SplineCase& spline, int count, bool nearlyEqual) {
-    const int d = spline.degree;
-    switch (spline.form) {
+std::vector<double> knotsOf(int d, Form form, int count, bool nearlyEqual) {
+    switch (form) {
         case Form::clamped:
             return clampedKnots(d, count, nearlyEqual);
         case Form::open: {
@@ -211,11 +210,6 @@ Pose anyPose() {
     return pose;
 }
 
-std::string text(const Pose& pose) {
-    return "translate: " + point(pose.translate) + ", rotate: { axis: " + point(pose.axis) +
-           ", angle: " + digits(pose.angle) + " }, scale: " + point(pose.scale);
-}
-
 /// One knot a local (and the end of the period), over the model's domain.
 std::vector<double> blendKnots(const Interval& domain, std::size_t number, bool doubleKnots) {
     std::vector<double> steps{0};
@@ -255,10 +249,43 @@ rc::Gen<Vec3> spacePoint(double size, int dimension) {
     });
 }
 
-KnotVector SplineCase::knotVector() const {
-    auto made = KnotVector::make(knots, degree, static_cast<int>(points.size()), form);
+std::string text(const std::vector<double>& values) { return list(values); }
+
+std::string text(const Vec3& p) { return point(p); }
+
+std::string text(Form form) { return nameOf(form); }
+
+std::string text(const Pose& pose) {
+    return "translate: " + point(pose.translate) + ", rotate: { axis: " + point(pose.axis) +
+           ", angle: " + digits(pose.angle) + " }, scale: " + point(pose.scale);
+}
+
+rc::Gen<Pose> somePose() {
+    return rc::gen::exec([] { return *whole(0, 2) == 0 ? Pose{} : anyPose(); });
+}
+
+rc::Gen<std::vector<double>> blendingKnots(const Interval& domain, std::size_t number,
+                                           bool doubleKnots) {
+    return rc::gen::exec([=] { return blendKnots(domain, number, doubleKnots); });
+}
+
+KnotVector KnotsCase::knotVector() const {
+    auto made = KnotVector::make(knots, degree, count, form);
     if (!made.ok()) RC_FAIL(made.error().path + ": " + made.error().message);
     return std::move(made).value();
+}
+
+rc::Gen<KnotsCase> anyKnots(int maxDegree, int maxSpans, bool nearlyEqual) {
+    return rc::gen::exec([=] {
+        const int degree = *whole(1, maxDegree);
+        const auto form = static_cast<Form>(*whole(0, 2));
+        const int count = degree + *whole(1, maxSpans);
+        return KnotsCase{degree, form, count, knotsOf(degree, form, count, nearlyEqual)};
+    });
+}
+
+KnotVector SplineCase::knotVector() const {
+    return KnotsCase{degree, form, static_cast<int>(points.size()), knots}.knotVector();
 }
 
 BsplineCurve SplineCase::curve() const {
@@ -283,7 +310,7 @@ rc::Gen<SplineCase> anySpline(const SplineOptions& options) {
         spline.form = static_cast<Form>(*whole(0, 2));
         spline.dimension = *whole(2, 3);
         const int count = spline.degree + *whole(1, 10);
-        spline.knots = knotsOf(spline, count, options.nearlyEqualKnots);
+        spline.knots = knotsOf(spline.degree, spline.form, count, options.nearlyEqualKnots);
         const bool rational = options.rational && *whole(0, 2) == 2;
         for (int i = 0; i < count; ++i) {
             spline.points.push_back(*spacePoint(options.size, spline.dimension));

@@ -24,6 +24,23 @@ rc::Gen<int> whole(int from, int to);
 rc::Gen<double> real(double size = 1);
 rc::Gen<Vec3> spacePoint(double size, int dimension);
 
+// As they are written in what kw.curve() takes.
+std::string text(const std::vector<double>& values);
+std::string text(const Vec3& p);
+std::string text(Form form);
+/// The fields of a pose.
+std::string text(const Pose& pose);
+
+struct KnotsCase {
+    int degree = 1;
+    Form form = Form::clamped;
+    int count = 2;  ///< of the points of one line
+    std::vector<double> knots;
+
+    [[nodiscard]] KnotVector knotVector() const;
+};
+rc::Gen<KnotsCase> anyKnots(int maxDegree, int maxSpans, bool nearlyEqual = true);
+
 struct SplineCase {
     int degree = 1;
     Form form = Form::clamped;
@@ -69,6 +86,12 @@ struct BlendingCase {
 };
 void showValue(const BlendingCase& blending, std::ostream& out);
 rc::Gen<BlendingCase> anyBlending(bool doubleKnots = true);
+
+/// One time in three the identity.
+rc::Gen<Pose> somePose();
+/// One knot a local (and the end of a period), over the domain.
+rc::Gen<std::vector<double>> blendingKnots(const Interval& domain, std::size_t number,
+                                           bool doubleKnots = true);
 
 /// Both ends, every knot, the floating-point neighbours of each inside the domain, and `between`
 /// others.
