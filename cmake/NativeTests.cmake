@@ -19,6 +19,8 @@ if(NOT KNOTWORK_TESTS)
 endif()
 
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/cpp/*.cpp")
+file(GLOB counting CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/cpp/counted/*.cpp")
+list(REMOVE_ITEM sources ${counting})
 if(NOT sources)
     return()
 endif()
@@ -41,6 +43,18 @@ target_compile_definitions(knotwork_tests PRIVATE
 target_include_directories(knotwork_tests SYSTEM PRIVATE "${rapidcheck_headers}")
 target_link_libraries(knotwork_tests PRIVATE
     knotwork_session knotwork_app knotwork_our_code GTest::gtest_main ${rapidcheck_library})
+# Operation counts: the sources of meshes once more, under another name for their namespace, over
+# points and steps that count.
+file(GLOB counted CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/geometry/mesh*.cpp")
+foreach(name checks result)
+    list(APPEND counted "${PROJECT_SOURCE_DIR}/src/geometry/${name}.cpp")
+endforeach()
+add_library(knotwork_counted OBJECT ${counted} ${counting})
+target_compile_definitions(knotwork_counted PRIVATE knotwork=knotwork_counted)
+target_include_directories(knotwork_counted PRIVATE
+    "${PROJECT_SOURCE_DIR}/tests/cpp/counted" "${PROJECT_SOURCE_DIR}/tests/cpp")
+target_link_libraries(knotwork_counted PRIVATE knotwork_our_code GTest::gtest)
+target_sources(knotwork_tests PRIVATE $<TARGET_OBJECTS:knotwork_counted>)
 # Of an inline function the linker keeps the first copy: the one that counts.
 if(KNOTWORK_COVERAGE)
     target_link_options(knotwork_tests PRIVATE

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "geometry/mesh.hpp"
+#include "geometry/steps.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,7 @@ public:
                std::size_t edges);
 
     [[nodiscard]] std::size_t face(std::size_t corner) const noexcept {
+        step();
         if (faces_.uniformSize == 3) return corner / 3;
         if (faces_.uniformSize == 4) return corner / 4;
         return faces_.uniformSize != 0 ? corner / faces_.uniformSize : faceOf_[corner];
@@ -37,13 +39,17 @@ public:
         return narrow(corner > faces_.begin(f) ? corner - 1 : faces_.begin(f + 1) - 1);
     }
     /// The corner whose half-edge runs back, or noCorner on a boundary.
-    [[nodiscard]] std::uint32_t twin(std::size_t corner) const noexcept { return twins_[corner]; }
+    [[nodiscard]] std::uint32_t twin(std::size_t corner) const noexcept {
+        step();
+        return twins_[corner];
+    }
     /// The corner at the same vertex one face further counter-clockwise, or noCorner after the
     /// last.
     [[nodiscard]] std::uint32_t turned(std::size_t corner) const noexcept {
         return twins_[previous(corner)];
     }
     [[nodiscard]] std::uint32_t vertex(std::size_t corner) const noexcept {
+        step();
         return faces_.corners[corner];
     }
     /// Where the half-edge ends.

@@ -8,6 +8,7 @@
 
 #include "geometry/mesh.hpp"
 #include "geometry/point_lanes.hpp"
+#include "geometry/steps.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -93,13 +94,17 @@ public:
         const bool isNew = edge >= met_;
         return half(2 * std::size_t{edge} + (isNew ? 1 : 0), isNew);
     }
-    [[nodiscard]] std::uint32_t inside() noexcept { return count_++; }
+    [[nodiscard]] std::uint32_t inside() noexcept {
+        step();
+        return count_++;
+    }
     void endFace() noexcept { met_ = metHere_; }
 
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
 
 private:
     [[nodiscard]] std::uint32_t half(std::size_t at, bool isNew) noexcept {
+        step();
         const std::uint32_t number = isNew ? count_ : halves_[at];
         count_ += isNew ? 1 : 0;
         halves_[at] = number;

@@ -48,6 +48,7 @@ struct Triangles {
 
     [[nodiscard]] std::size_t faces() const noexcept { return corners.size() / 3; }
     [[nodiscard]] bool onBoundary(std::uint32_t corner) const noexcept {
+        step();
         return (twins[corner] & boundaryMark) != 0;
     }
     [[nodiscard]] std::uint32_t from(const BoundaryEdge& edge) const noexcept {
@@ -59,9 +60,11 @@ struct Triangles {
 };
 
 std::uint32_t next(std::uint32_t corner) noexcept {
+    step();
     return corner % 3 == 2 ? corner - 2 : corner + 1;
 }
 std::uint32_t previous(std::uint32_t corner) noexcept {
+    step();
     return corner % 3 == 0 ? corner + 2 : corner - 1;
 }
 
