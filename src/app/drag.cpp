@@ -93,7 +93,7 @@ std::optional<Drag> Drag::begin(const scene::State& state, const Target& target,
     drag.toObject_ = inverseOf(placement);
     drag.objectId_ = object.id;
     if (target.kind == TargetKind::pose) {
-        const auto* blend = object.curve.as<BlendingCurve>();
+        const auto* blend = object.body.as<BlendingCurve>();
         if (blend == nullptr || target.index >= blend->locals().size()) return std::nullopt;
         drag.pose_ = blend->locals()[target.index].pose();
         return drag;

@@ -124,7 +124,8 @@ void addParameterLines(Figure& figure, const FigureRequest& request) {
 void addStretch(PaneFigure& pane, const FigureRequest& request,
                 const std::vector<scene::Placed>& all, int object, std::size_t index) {
     const scene::Placed* placed = placedOf(all, *request.state, object);
-    const auto interval = placed ? ruledInterval(placed->curve, index) : std::nullopt;
+    const Curve* curve = placed != nullptr ? placed->body.curve() : nullptr;
+    const auto interval = curve != nullptr ? ruledInterval(*curve, index) : std::nullopt;
     if (!interval) return;
     Shape stretch = stretchOf(*placed, *interval, stretchPoints);
     stretch.width = static_cast<float>(placed->object->style.width + 9);
@@ -138,11 +139,12 @@ void addDot(Figure& figure, const FigureRequest& request, const std::vector<scen
     if (plot == nullptr) plot = figure.find(Pane::basis);
     if (plot == nullptr) return;
     const scene::Placed* placed = placedOf(all, *request.state, plot->plot.object);
-    if (placed == nullptr) return;
-    const auto t = parameterInDomain(placed->curve, at);
+    const Curve* curve = placed != nullptr ? placed->body.curve() : nullptr;
+    if (curve == nullptr) return;
+    const auto t = parameterInDomain(*curve, at);
     if (!t) return;
     figure.panes.front().above.push_back(dotAt(
-        placed->placement.point(pointAt(placed->curve, *t)), coloursOf(request).accent));
+        placed->placement.point(pointAt(*curve, *t)), coloursOf(request).accent));
 }
 
 }  // namespace
@@ -169,7 +171,7 @@ Shape stretchOf(const scene::Placed& placed, const Interval& interval, std::size
     stretch.positions.reserve(3 * count);
     for (std::size_t i = 0; i < count; ++i) {
         const Vec3 p = placed.placement.point(
-            pointAt(placed.curve, uniformParameter(interval, i, count)));
+            pointAt(*placed.body.curve(), uniformParameter(interval, i, count)));
         stretch.positions.insert(stretch.positions.end(), {p.x, p.y, p.z});
     }
     stretch.colour = placed.colour;

@@ -53,7 +53,7 @@ std::vector<double> knotsOf(const std::vector<const Shape*>& shapes) {
 
 const Curve* curveOf(const scene::State& state, int object) noexcept {
     if (object < 0 || static_cast<std::size_t>(object) >= state.objects.size()) return nullptr;
-    return &state.objects[static_cast<std::size_t>(object)]->curve;
+    return state.objects[static_cast<std::size_t>(object)]->body.curve();
 }
 
 /// What the basis functions and the knot line of one object have in common.

@@ -22,15 +22,16 @@ void addLocals(drawing::Bounds& bounds, const scene::Placed& placed, const Blend
 }
 
 void addPlaced(drawing::Bounds& bounds, const scene::Placed& placed) {
-    const Interval whole = domain(placed.curve);
+    const Curve* curve = placed.body.curve();
+    if (curve == nullptr) return;
+    const Interval whole = domain(*curve);
     for (std::size_t i = 0; i < samples; ++i) {
-        bounds.add(placed.placement.point(pointAt(placed.curve,
-                                                  uniformParameter(whole, i, samples))));
+        bounds.add(placed.placement.point(pointAt(*curve, uniformParameter(whole, i, samples))));
     }
-    const auto* blend = placed.curve.as<BlendingCurve>();
+    const auto* blend = placed.body.as<BlendingCurve>();
     if (blend != nullptr && placed.object->show.locals) addLocals(bounds, placed, *blend);
     if (!placed.object->show.polygon && !placed.object->show.points) return;
-    for (const Vec3& p : drawing::controlPolygon(placed.curve).points) {
+    for (const Vec3& p : drawing::controlPolygon(*curve).points) {
         bounds.add(placed.placement.point(p));
     }
 }

@@ -88,7 +88,8 @@ bool View::addPointAt(const Pixel& at) {
     if (pane == nullptr || points == nullptr) return false;
     const auto object = static_cast<std::size_t>(points->object);
     const Vec3 world = pane->plot.map.fromPixels(at);
-    const bool closed = isClosed(scene()->state().objects[object]->curve);
+    const Curve* curve = scene()->state().objects[object]->body.curve();
+    const bool closed = curve != nullptr && isClosed(*curve);
     const std::size_t place = cheapestPlace(*points, world, closed);
     const Affine placement = placementOf(points->object);
     const Vec3 own = glm::inverse(placement.linear) * (world - placement.offset);

@@ -36,7 +36,7 @@ Json poseBy(const scene::Object& object, std::size_t local, const Vec3& by) {
     Json pose = Json::object();
     pose["object"] = object.id;
     pose["local"] = local;
-    const auto* blend = object.curve.as<BlendingCurve>();
+    const auto* blend = object.body.as<BlendingCurve>();
     const Vec3 was = blend != nullptr && local < blend->locals().size()
                          ? blend->locals()[local].pose().translate
                          : Vec3{0.0};

@@ -4,6 +4,7 @@
 #include "bindings/marshal.hpp"
 #include "bindings/marshal_cbor.hpp"
 #include "bindings/marshal_lists.hpp"
+#include "scene/form_names.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ bool readField(CborCursor& cursor, std::string_view key, Parts& parts) {
     }
     if (value.kind != Kind::text) return false;
     if (key == "type") return parts.isBspline = value.text() == "bspline-curve";
-    if (key == "form") return (parts.form = formNamed(value.text())).has_value();
+    if (key == "form") return (parts.form = scene::formNamed(value.text())).has_value();
     return false;
 }
 

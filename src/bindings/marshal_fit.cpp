@@ -3,7 +3,10 @@
 #include "bindings/marshal.hpp"
 #include "bindings/marshal_lists.hpp"
 #include "scene/fields.hpp"
+#include "scene/form_names.hpp"
+#include "scene/fit_fields.hpp"
 #include "scene/json_values.hpp"
+#include "scene/object_builders.hpp"
 #include "scene/validation.hpp"
 
 #include <array>
@@ -19,42 +22,22 @@ using scene::Json;
 
 namespace {
 
-constexpr std::array parametrisationChoices{Choice{"chord", "Chord length"},
-                                            Choice{"centripetal", "Centripetal"},
-                                            Choice{"uniform", "Uniform"}};
-constexpr std::array formChoices{Choice{"clamped", "Clamped"}, Choice{"open", "Open"},
-                                 Choice{"closed", "Closed"}};
 constexpr std::array methodChoices{Choice{"minimal", "Smallest"}, Choice{"ritter", "Ritter"},
                                    Choice{"incremental", "Incremental"}};
 
 constexpr Field pointsField{.name = "points", .label = "Points", .kind = FieldKind::points,
                             .help = "The data, a list of points.", .required = true};
-constexpr Field degreeField{.name = "degree", .label = "Degree", .kind = FieldKind::integer,
-                            .help = "Degree of the polynomial pieces.", .min = 1, .max = maxDegree,
-                            .maxIsSize = true, .required = true};
-constexpr Field formField{.name = "form", .label = "Form", .kind = FieldKind::choice,
-                          .help = "Clamped begins and ends in control points, closed has no ends.",
-                          .defaultJson = "\"clamped\"", .choices = formChoices};
-constexpr Field parametersField{.name = "parameters", .label = "Parameters",
-                                .kind = FieldKind::choice,
-                                .help = "How parameters are found, or one number a point.",
-                                .defaultJson = "\"chord\"", .choices = parametrisationChoices};
 
-constexpr std::array fitFields{
-    pointsField, degreeField,
-    Field{.name = "count", .label = "Control points", .kind = FieldKind::integer,
-          .help = "How many control points the curve has.", .min = 2, .max = maxPointCount,
-          .maxIsSize = true, .required = true},
-    formField, parametersField,
-    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
-          .help = "Count + degree + 1 numbers, or count + 1 of one period where closed."},
-    Field{.name = "interpolateEnds", .label = "Interpolate ends", .kind = FieldKind::flag,
-          .help = "Whether the curve begins and ends exactly in the first and the last point.",
-          .defaultJson = "false"},
-    Field{.name = "smoothing", .label = "Smoothing", .kind = FieldKind::number,
-          .help = "How much the bends of the control polygon count.", .min = 0,
-          .max = maxSmoothing, .defaultJson = "0"}};
-constexpr std::array interpolationFields{pointsField, degreeField, formField, parametersField};
+constexpr std::array fitFields{pointsField,
+                               scene::fitDegreeField,
+                               scene::fitCountField,
+                               scene::fitFormField,
+                               scene::fitParametersField,
+                               scene::fitKnotsField,
+                               scene::fitEndsField,
+                               scene::fitSmoothingField};
+constexpr std::array interpolationFields{pointsField, scene::fitDegreeField, scene::fitFormField,
+                                         scene::fitParametersField};
 constexpr std::array sphereFields{
     pointsField, Field{.name = "method", .label = "Method", .kind = FieldKind::choice,
                        .help = "The smallest sphere, or one of two that are found sooner.",
@@ -120,10 +103,7 @@ Parameters parametersOf(Packed& packed, const Json& fields) {
     if (packed.parameters) return *std::move(packed.parameters);
     const Json& given = *scene::member(fields, "parameters");
     if (given.is_array()) return scene::numbersOf(given);
-    const std::string name = given.get<std::string>();
-    return name == "uniform"       ? Parametrisation::uniform
-           : name == "centripetal" ? Parametrisation::centripetal
-                                   : Parametrisation::chord;
+    return scene::parametrisationNamed(given.get<std::string>());
 }
 
 /// By the table, in which `parameters` are a list of numbers where a list is given.
@@ -147,7 +127,7 @@ Result<FitInput> readRequest(std::span<const std::uint8_t> bytes, std::span<cons
     FitRequest& request = input.request;
     request.degree = static_cast<int>(scene::numberOr(*fields, "degree", 0));
     request.count = static_cast<int>(scene::numberOr(*fields, "count", 0));
-    request.form = *formNamed(scene::stringOr(*fields, "form", ""));
+    request.form = *scene::formNamed(scene::stringOr(*fields, "form", ""));
     request.parameters = parametersOf(*packed, *fields);
     request.options.smoothing = scene::numberOr(*fields, "smoothing", 0);
     request.options.interpolateEnds = scene::flagOr(*fields, "interpolateEnds", false);

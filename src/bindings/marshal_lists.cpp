@@ -11,11 +11,4 @@ bool readNumbers(const CborItem& item, std::size_t most, std::vector<double>& nu
     return true;
 }
 
-std::optional<Form> formNamed(std::string_view name) noexcept {
-    if (name == "clamped") return Form::clamped;
-    if (name == "open") return Form::open;
-    if (name == "closed") return Form::closed;
-    return std::nullopt;
-}
-
 }  // namespace knotwork::bindings

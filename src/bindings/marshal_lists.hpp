@@ -4,10 +4,7 @@
 #pragma once
 
 #include "bindings/marshal_cbor.hpp"
-#include "geometry/knot_vector.hpp"
 
-#include <optional>
-#include <string_view>
 #include <vector>
 
 namespace knotwork::bindings {
@@ -15,8 +12,5 @@ namespace knotwork::bindings {
 /// At most `most` numbers, NaN and infinities included.
 [[nodiscard]] bool readNumbers(const CborItem& item, std::size_t most,
                                std::vector<double>& numbers);
-
-/// `clamped`, `open` or `closed`.
-[[nodiscard]] std::optional<Form> formNamed(std::string_view name) noexcept;
 
 }  // namespace knotwork::bindings

@@ -2,6 +2,7 @@
 #include "bindings/marshal.hpp"
 #include "bindings/marshal_cbor.hpp"
 #include "bindings/marshal_lists.hpp"
+#include "scene/form_names.hpp"
 
 #include <array>
 #include <cmath>
@@ -52,7 +53,7 @@ bool readForms(CborCursor& cursor, const CborItem& list, Parts& parts) {
     if (list.kind != Kind::list || list.length != 2) return false;
     for (Form& form : parts.forms) {
         const CborItem name = cursor.next();
-        const auto known = name.kind == Kind::text ? formNamed(name.text()) : std::nullopt;
+        const auto known = name.kind == Kind::text ? scene::formNamed(name.text()) : std::nullopt;
         if (!known) return false;
         form = *known;
     }

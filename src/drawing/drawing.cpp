@@ -34,11 +34,16 @@ public:
         : placed_(placed), object_(object), options_(options), drawing_(into) {}
 
     void paint() {
+        if (placed_.body.curve() != nullptr) paintCurve(*placed_.body.curve());
+    }
+
+private:
+    void paintCurve(const Curve& itself) {
         const scene::Show& show = placed_.object->show;
-        const auto* spline = placed_.curve.as<BsplineCurve>();
-        const auto* blend = placed_.curve.as<BlendingCurve>();
+        const auto* spline = placed_.body.as<BsplineCurve>();
+        const auto* blend = placed_.body.as<BlendingCurve>();
         if (blend != nullptr && show.locals) locals(*blend);
-        const ControlPolygon control = controlPolygon(placed_.curve);
+        const ControlPolygon control = controlPolygon(itself);
         if (!control.points.empty() && show.polygon) polygon(control);
         if (show.curve) curve();
         if (show.knots && spline != nullptr) knotsOnCurve(spline->knotVector().knots());
@@ -48,7 +53,6 @@ public:
         plots(spline, blend);
     }
 
-private:
     Shape& add(Role role, Kind kind) {
         Shape shape;
         shape.object = object_;
@@ -80,7 +84,7 @@ private:
         Shape& shape = add(Role::curve, Kind::polyline);
         shape.colour = onBackground(placed_.colour, options_.dark);
         shape.width = static_cast<float>(placed_.object->style.width);
-        placeCurve(shape, placed_.curve, domain(placed_.curve), {});
+        placeCurve(shape, *placed_.body.curve(), domain(*placed_.body.curve()), {});
     }
 
     void polygon(const ControlPolygon& control) {
@@ -101,11 +105,11 @@ private:
     void knotsOnCurve(std::span<const double> knots) {
         Shape& shape = add(Role::knots, Kind::points);
         shape.width = 6;
-        const Interval whole = domain(placed_.curve);
+        const Interval whole = domain(*placed_.body.curve());
         for (std::size_t i = 0; i < knots.size(); ++i) {
             const bool repeated = i > 0 && knots[i] == knots[i - 1];
             if (repeated || !whole.contains(knots[i])) continue;
-            place(shape, pointAt(placed_.curve, knots[i]));
+            place(shape, pointAt(*placed_.body.curve(), knots[i]));
         }
     }
 
@@ -148,7 +152,7 @@ private:
         if (spline == nullptr && blend == nullptr) return;
         const bool dark = options_.dark;
         const scene::Show& show = placed_.object->show;
-        if (show.basis) take(basisPlot(placed_.curve, object_, dark));
+        if (show.basis) take(basisPlot(*placed_.body.curve(), object_, dark));
         const std::string path = indexed("objects", static_cast<std::size_t>(object_)) + ".knots";
         const std::span<const double> knots =
             spline != nullptr ? spline->knotVector().knots() : std::span<const double>(blend->knots());

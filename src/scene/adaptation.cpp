@@ -282,7 +282,7 @@ Json sampledValues(const Json& spec) {
 }  // namespace
 
 Json adaptObject(const Json& before, Json after) {
-    adaptCurve(before, after);
+    if (findCurveType(stringOr(after, "type", "")) != nullptr) adaptCurve(before, after);
     return after;
 }
 

@@ -121,7 +121,7 @@ Result<bool> keepsLocals(const State& state, const Path& path, const Json& comma
     }
     const bool knot = startsWith(path, "objects") && path.size() == 4 && path[2].key == "knots" &&
                       path[1].index < state.objects.size();
-    if (!knot || state.objects[path[1].index]->curve.as<BlendingCurve>() == nullptr) {
+    if (!knot || state.objects[path[1].index]->body.as<BlendingCurve>() == nullptr) {
         return refuse(Code::notSupported, "recut",
                       "Only local curves are cut anew or not, when a knot of theirs is moved.");
     }
@@ -135,10 +135,10 @@ Result<State> withLocalsKept(const State& state, const Path& path, const Json& c
     const auto moved = moveIn(object.spec, std::span<const PathStep>(path).subspan(2), command);
     if (!moved) return moved.error().under(indexed("objects", i));
     // Whatever is wrong with the knots is said as it is of any others.
-    if (const auto checked = readCurve(*moved, objectFields()); !checked) {
+    if (const auto checked = readObjectSpec(*moved); !checked) {
         return checked.error().under(indexed("objects", i));
     }
-    auto spec = withKnots(object.spec, *object.curve.as<BlendingCurve>(),
+    auto spec = withKnots(object.spec, *object.body.as<BlendingCurve>(),
                           numbersOf(*member(*moved, "knots")), false);
     if (!spec) return spec.error().under(indexed("objects", i));
     return withObject(state, i, dressed(std::move(*spec), object));

@@ -1,6 +1,7 @@
 #include "scene/document.hpp"
 
 #include "scene/json_values.hpp"
+#include "scene/object_builders.hpp"
 #include "scene/specs.hpp"
 #include "scene/validation.hpp"
 
@@ -19,14 +20,26 @@ Style styleOf(const Json& spec) {
 
 Show showOf(const Json& spec) {
     const Json& show = *member(spec, "show");
-    return {.curve = flagOr(show, "curve", true),
-            .polygon = flagOr(show, "polygon", true),
-            .points = flagOr(show, "points", true),
-            .knots = flagOr(show, "knots", true),
-            .locals = flagOr(show, "locals", false),
-            .handles = flagOr(show, "handles", true),
-            .basis = flagOr(show, "basis", true),
-            .bFunction = flagOr(show, "bFunction", true)};
+    const auto shown = [&](std::string_view name) { return flagOr(show, name, false); };
+    return {.curve = shown("curve"),
+            .surface = shown("surface"),
+            .isolines = shown("isolines"),
+            .wireframe = shown("wireframe"),
+            .polygon = shown("polygon"),
+            .points = shown("points"),
+            .knots = shown("knots"),
+            .locals = shown("locals"),
+            .handles = shown("handles"),
+            .basis = shown("basis"),
+            .bFunction = shown("bFunction"),
+            .comb = shown("comb"),
+            .hodograph = shown("hodograph"),
+            .osculating = shown("osculating"),
+            .hull = shown("hull"),
+            .frames = shown("frames"),
+            .sphere = shown("sphere"),
+            .residuals = shown("residuals"),
+            .labels = shown("labels")};
 }
 
 bool hasId(std::span<const std::shared_ptr<const Object>> objects, std::string_view id) {
@@ -181,7 +194,7 @@ Result<std::shared_ptr<const Effect>> readEffect(
         return refuse(Code::unknownName, "target",
                       "There is no object \"" + effect.target + "\" in the scene.");
     }
-    if (effect.kind == EffectKind::simulate && (*target)->curve.as<BlendingCurve>() == nullptr) {
+    if (effect.kind == EffectKind::simulate && (*target)->body.as<BlendingCurve>() == nullptr) {
         return refuse(Code::notSupported, "kind",
                       "\"simulate\" moves the local curves of a blending curve; \"" +
                           effect.target + "\" has none.");

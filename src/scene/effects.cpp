@@ -47,8 +47,8 @@ Pose moved(const Pose& pose, const Vec3& by, const Vec3& axis, double angle) {
 }
 
 /// Every local curve by its own translation and rotation, `weight` of the way.
-Curve simulated(const Curve& curve, const Effect& effect, double weight) {
-    const auto& blend = *curve.as<BlendingCurve>();
+Body simulated(const Body& body, const Effect& effect, double weight) {
+    const auto& blend = *body.as<BlendingCurve>();
     std::vector<Pose> poses;
     poses.reserve(blend.locals().size());
     Random random(effect.seed);
@@ -58,7 +58,7 @@ Curve simulated(const Curve& curve, const Effect& effect, double weight) {
         poses.push_back(moved(local.pose(), weight * share * effect.translate, effect.axis,
                               weight * angle));
     }
-    return blend.withPoses(poses);
+    return Curve(blend.withPoses(poses));
 }
 
 void apply(const Effect& effect, double weight, Placed& placed) {
@@ -71,7 +71,7 @@ void apply(const Effect& effect, double weight, Placed& placed) {
                 compose({rotation(effect.axis, weight * effect.angle), Vec3(0.0)}, placed.placement);
             break;
         case EffectKind::simulate:
-            placed.curve = simulated(placed.curve, effect, weight);
+            placed.body = simulated(placed.body, effect, weight);
             break;
         case EffectKind::colour:
             placed.colour = mixColours(placed.colour, effect.to, weight);
@@ -101,7 +101,7 @@ std::vector<Placed> place(const State& state, const Moment& moment) {
     std::vector<Placed> all;
     all.reserve(state.objects.size());
     for (const auto& object : state.objects) {
-        Placed placed{object.get(), object->curve, {}, object->style.colour};
+        Placed placed{object.get(), object->body, {}, object->style.colour};
         for (const auto& effect : state.effects) {
             if (effect->target != object->id) continue;
             const double weight = effectWeight(effect->easing, phaseOf(*effect, moment));

@@ -18,7 +18,7 @@ struct Moment {
 /// An object as it stands at a moment.
 struct Placed {
     const Object* object = nullptr;
-    Curve curve;        ///< with the effects on its locals applied
+    Body body;          ///< with the effects on its locals applied
     Affine placement;   ///< of the object as a whole
     Colour colour;
 };

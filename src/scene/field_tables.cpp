@@ -1,5 +1,5 @@
-// The tables of documents, objects, effects and B-functions; those of curves stand in
-// curve_fields.cpp.
+// The tables of documents, effects and B-functions; those of objects stand in object_fields.cpp,
+// curve_fields.cpp and surface_fields.cpp.
 #include "geometry/b_function.hpp"
 #include "geometry/parametric_curve.hpp"
 #include "scene/fields.hpp"
@@ -13,49 +13,19 @@ namespace knotwork::scene {
 
 namespace {
 
-constexpr std::array modeChoices{Choice{"2d", "2D"}};
-
-constexpr std::array styleFields{
-    Field{.name = "colour", .label = "Colour", .kind = FieldKind::colour,
-          .help = "Colour of the curve.", .defaultJson = "\"#2b6cb0\""},
-    Field{.name = "width", .label = "Width", .kind = FieldKind::number,
-          .help = "Width of the curve in CSS pixels.", .min = 0.5, .max = 12,
-          .defaultJson = "2.5"},
-};
-
-constexpr std::array showFields{
-    Field{.name = "curve", .label = "Curve", .kind = FieldKind::flag, .help = "The curve itself.",
-          .defaultJson = "true"},
-    Field{.name = "polygon", .label = "Polygon", .kind = FieldKind::flag,
-          .help = "The control polygon.", .defaultJson = "true"},
-    Field{.name = "points", .label = "Points", .kind = FieldKind::flag,
-          .help = "The control points.", .defaultJson = "true"},
-    Field{.name = "knots", .label = "Knots", .kind = FieldKind::flag,
-          .help = "Knots on the curve.", .defaultJson = "true"},
-    Field{.name = "locals", .label = "Local curves", .kind = FieldKind::flag,
-          .help = "The local curves, dashed where they fade.", .defaultJson = "false"},
-    Field{.name = "handles", .label = "Handles", .kind = FieldKind::flag,
-          .help = "Handles that move the local curves.", .defaultJson = "true"},
-    Field{.name = "basis", .label = "Basis functions", .kind = FieldKind::flag,
-          .help = "The basis functions over the knot line.", .defaultJson = "true"},
-    Field{.name = "bFunction", .label = "B-function", .kind = FieldKind::flag,
-          .help = "The B-function with its derivatives.", .defaultJson = "true"},
-};
-
-constexpr std::array objectTable{
-    Field{.name = "id", .label = "Name", .kind = FieldKind::text,
-          .help = "The name by which effects and commands call the object."},
-    Field{.name = "style", .label = "Style", .kind = FieldKind::group, .help = "How it looks.",
-          .defaultJson = "{}", .fields = styleFields},
-    Field{.name = "show", .label = "Show", .kind = FieldKind::group, .help = "What is drawn.",
-          .defaultJson = "{}", .fields = showFields},
-};
+constexpr std::array modeChoices{Choice{"2d", "2D"}, Choice{"3d", "3D"}};
 
 constexpr std::array cameraFields{
     Field{.name = "center", .label = "Centre", .kind = FieldKind::point,
           .help = "The point in the middle of the view; without it all is fitted."},
     Field{.name = "height", .label = "Height", .kind = FieldKind::number,
           .help = "Height of the view in units of the curve.", .min = 1e-9, .max = 1e12},
+    Field{.name = "azimuth", .label = "Azimuth", .kind = FieldKind::number,
+          .help = "Radians that the eye of a 3D view stands round the z-axis, from the x-axis.",
+          .min = -1000, .max = 1000},
+    Field{.name = "elevation", .label = "Elevation", .kind = FieldKind::number,
+          .help = "Radians that it stands above the plane z = 0.", .min = -1.5707963267948966,
+          .max = 1.5707963267948966},
 };
 
 constexpr std::array viewFields{
@@ -172,7 +142,6 @@ std::vector<Choice> parametricCurveChoices() {
     return choices;
 }
 
-std::span<const Field> objectFields() noexcept { return objectTable; }
 std::span<const Field> headerFields() noexcept { return headerTable; }
 std::span<const EffectType> effectTypes() noexcept { return effects; }
 

@@ -47,6 +47,7 @@ enum class FieldKind {
     surface,     ///< nested surface specification
     surfaceName,        ///< name of a parametric surface
     surfaceParameters,  ///< named parameters of a parametric surface
+    mesh,        ///< { solid }, { vertices, faces } or { obj }, checked where it is made
 };
 
 [[nodiscard]] std::string_view fieldKindName(FieldKind kind) noexcept;
@@ -110,8 +111,16 @@ using SurfaceType = CurveType;
 [[nodiscard]] std::span<const SurfaceType> surfaceTypes() noexcept;
 [[nodiscard]] const SurfaceType* findSurfaceType(std::string_view type) noexcept;
 
-/// `id`, `style` and `show`: what an object of a scene has besides its curve.
+/// Every type that an object of a scene can have: curves, surfaces, and what a scene has of its own.
+using ObjectType = CurveType;
+[[nodiscard]] std::vector<ObjectType> objectTypes();
+[[nodiscard]] const ObjectType* findObjectType(std::string_view type) noexcept;
+
+/// `id`, `style` and `show`: what an object of a scene has besides its shape.
 [[nodiscard]] std::span<const Field> objectFields() noexcept;
+/// Whether an object of this type has anything that the flag of its `show` switches. The others are
+/// allowed and change nothing; panels leave them out.
+[[nodiscard]] bool showApplies(std::string_view type, std::string_view flag) noexcept;
 /// `knotwork`, `title`, `description` and `view`.
 [[nodiscard]] std::span<const Field> headerFields() noexcept;
 

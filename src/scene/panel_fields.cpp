@@ -10,7 +10,7 @@ namespace knotwork::scene {
 
 namespace {
 
-constexpr std::array<std::pair<FieldKind, std::string_view>, 27> kindNames{{
+constexpr std::array<std::pair<FieldKind, std::string_view>, 28> kindNames{{
     {FieldKind::number, "number"},
     {FieldKind::integer, "integer"},
     {FieldKind::flag, "flag"},
@@ -38,11 +38,18 @@ constexpr std::array<std::pair<FieldKind, std::string_view>, 27> kindNames{{
     {FieldKind::surface, "surface"},
     {FieldKind::surfaceName, "choice"},
     {FieldKind::surfaceParameters, "parameters"},
+    {FieldKind::mesh, "mesh"},
 }};
 
 /// Walks an object along its tables and collects the fields that can be edited as one value.
 class Collector {
 public:
+    void object(const Json& spec) {
+        const ObjectType* type = findObjectType(stringOr(spec, "type", ""));
+        if (type != nullptr) members(spec, type->fields, "", "");
+        members(spec, objectFields(), "", "");
+    }
+
     void curve(const Json& spec, const std::string& path, const std::string& group) {
         const CurveType* type = findCurveType(stringOr(spec, "type", ""));
         if (type != nullptr) members(spec, type->fields, path, group);
@@ -67,16 +74,20 @@ private:
         switch (field.kind) {
             case FieldKind::group: members(value, field.fields.all(), path, inside); break;
             case FieldKind::curve: curve(value, path, inside); break;
+            case FieldKind::surface: surface(value, path, inside); break;
+            case FieldKind::blends: blends(value, path, inside); break;
+            case FieldKind::pair: pair(parent, field, value, path, group); break;
+            case FieldKind::list: list(parent, field, value, path, group); break;
             case FieldKind::bFunction: bFunction(value, path, inside); break;
-            case FieldKind::bFunctions:
-                for (std::size_t i = 0; i < value.size(); ++i) {
-                    bFunction(value[i], indexed(path, i), inside + " " + std::to_string(i + 1));
-                }
-                break;
+            case FieldKind::bFunctions: blends(value, path, inside); break;
             case FieldKind::parameters: parameters(parent, value, path, group); break;
             case FieldKind::namedNumbers: namedNumbers(value, path, inside); break;
             case FieldKind::locals: locals(value, path, inside); break;
             case FieldKind::curveName: leaf(field, value, path, group, parametricCurveChoices()); break;
+            case FieldKind::surfaceParameters: surfaceParameters(parent, value, path, group); break;
+            case FieldKind::surfaceName:
+                leaf(field, value, path, group, parametricSurfaceChoices());
+                break;
             default: leaf(field, value, path, group, field.choices); break;
         }
     }
@@ -87,6 +98,55 @@ private:
         const std::string name = stringOr(spec, "family", "");
         leaf(family, name, joinPath(path, "family"), group, bFunctionChoices());
         if (const auto fields = bFunctionFields(name)) members(spec, *fields, path, group);
+    }
+
+    /// One B-function, or a list of them.
+    void blends(const Json& value, const std::string& path, const std::string& group) {
+        if (!value.is_array()) return bFunction(value, path, group);
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            bFunction(value[i], indexed(path, i), group + " " + std::to_string(i + 1));
+        }
+    }
+
+    void surface(const Json& spec, const std::string& path, const std::string& group) {
+        const SurfaceType* type = findSurfaceType(stringOr(spec, "type", ""));
+        if (type != nullptr) members(spec, type->fields, path, group);
+    }
+
+    /// One field a direction, `locals[0]` and `locals[1]`.
+    void pair(const Json& parent, const Field& field, const Json& value, const std::string& path,
+              const std::string& group) {
+        constexpr std::array<std::string_view, 2> directions{"u", "v"};
+        for (std::size_t i = 0; i < value.size() && i < directions.size(); ++i) {
+            Field along = field.fields.all().front();
+            const std::string label = std::string(field.label) + " " + std::string(directions[i]);
+            along.label = label;
+            if (along.help.empty()) along.help = field.help;
+            one(parent, along, value[i], indexed(path, i), group);
+        }
+    }
+
+    /// Rows of points or of numbers, one field each; a list of anything else is one value.
+    void list(const Json& parent, const Field& field, const Json& value, const std::string& path,
+              const std::string& group) {
+        const Field& element = field.fields.all().front();
+        if (element.kind != FieldKind::points && element.kind != FieldKind::numbers) {
+            return leaf(field, value, path, group, {});
+        }
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            Field row = element;
+            const std::string label = std::string(field.label) + " " + std::to_string(i);
+            row.label = label;
+            if (row.help.empty()) row.help = field.help;
+            one(parent, row, value[i], indexed(path, i), group);
+        }
+    }
+
+    void surfaceParameters(const Json& parent, const Json& value, const std::string& path,
+                           const std::string& group) {
+        if (const auto fields = surfaceParameterFields(stringOr(parent, "name", ""))) {
+            members(value, *fields, path, group);
+        }
     }
 
     void parameters(const Json& parent, const Json& value, const std::string& path,
@@ -119,7 +179,9 @@ private:
         PanelField shown;
         shown.path = path;
         shown.label = field.label;
-        shown.kind = field.kind == FieldKind::curveName ? FieldKind::choice : field.kind;
+        const bool name =
+            field.kind == FieldKind::curveName || field.kind == FieldKind::surfaceName;
+        shown.kind = name ? FieldKind::choice : field.kind;
         shown.help = field.help;
         shown.min = field.min;
         shown.max = field.max;
@@ -148,9 +210,14 @@ std::string_view fieldKindName(FieldKind kind) noexcept {
 
 std::vector<PanelField> panelFields(const Json& object) {
     Collector collector;
-    collector.curve(object, "", "");
-    collector.members(object, objectFields(), "", "");
-    return collector.take();
+    collector.object(object);
+    std::vector<PanelField> fields = collector.take();
+    const std::string type = stringOr(object, "type", "");
+    std::erase_if(fields, [&](const PanelField& field) {
+        constexpr std::string_view show = "show.";
+        return field.path.starts_with(show) && !showApplies(type, field.path.substr(show.size()));
+    });
+    return fields;
 }
 
 Json panelFieldsJson(const Json& object) {

@@ -3,6 +3,7 @@
 #include "scene/commands.hpp"
 #include "scene/document.hpp"
 #include "scene/fields.hpp"
+#include "scene/object_builders.hpp"
 #include "scene/validation.hpp"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ Json Scene::schema() const {
         const std::string type = stringOr(object->spec, "type", "");
         list.push_back({{"object", object->id},
                         {"type", type},
-                        {"label", findCurveType(type)->label},
+                        {"label", objectTypeLabel(object->spec)},
                         {"fields", panelFieldsJson(object->spec)}});
     }
     return list;

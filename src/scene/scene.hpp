@@ -4,7 +4,7 @@
 // step back and costs nothing. Every front end changes a scene by the same commands.
 #pragma once
 
-#include "geometry/curve.hpp"
+#include "scene/body.hpp"
 #include "scene/colour.hpp"
 #include "scene/json.hpp"
 
@@ -19,6 +19,9 @@ namespace knotwork::scene {
 /// What of an object is drawn.
 struct Show {
     bool curve = true;
+    bool surface = true;
+    bool isolines = true;
+    bool wireframe = false;
     bool polygon = true;
     bool points = true;
     bool knots = true;
@@ -26,6 +29,14 @@ struct Show {
     bool handles = true;
     bool basis = true;
     bool bFunction = true;
+    bool comb = false;
+    bool hodograph = false;
+    bool osculating = false;
+    bool hull = false;
+    bool frames = false;
+    bool sphere = false;
+    bool residuals = true;
+    bool labels = false;
 };
 
 struct Style {
@@ -39,7 +50,7 @@ struct Object {
     std::string id;
     Style style;
     Show show;
-    Curve curve;
+    Body body;
 };
 
 enum class EffectKind { translate, rotate, simulate, colour };

@@ -73,6 +73,7 @@ Json kindSchema(const Field& field) {
         case FieldKind::surface: return reference("surface");
         case FieldKind::surfaceName: return names(parametricSurfaceChoices());
         case FieldKind::surfaceParameters: return {{"type", "object"}};
+        case FieldKind::mesh: return reference("mesh");
     }
     return Json::object();
 }
@@ -127,27 +128,47 @@ Json bFunctionSchema() {
     return {{"oneOf", std::move(variants)}};
 }
 
-/// Which parameters there are depends on the name of the parametric curve.
-Json parametersByName() {
+/// Which parameters there are depends on the name of the parametric curve or surface.
+template <class FieldsOf>
+Json parametersByName(std::span<const Choice> names, FieldsOf fieldsOf) {
     Json rules = Json::array();
-    for (const Choice& curve : parametricCurveChoices()) {
-        const auto fields = curveParameterFields(curve.value);
-        rules.push_back({{"if", {{"properties", {{"name", {{"const", curve.value}}}}}}},
+    for (const Choice& name : names) {
+        const auto fields = fieldsOf(name.value);
+        rules.push_back({{"if", {{"properties", {{"name", {{"const", name.value}}}}}}},
                          {"then", {{"properties", {{"parameters", objectSchema(*fields)}}}}}});
     }
     return rules;
 }
 
-/// Curves of every type; those of a scene have fields besides.
-Json curveSchema(std::span<const Field> extra) {
+/// Any of these types; objects of a scene have fields besides.
+Json typesSchema(std::span<const ObjectType> types, std::span<const Field> extra) {
     Json variants = Json::array();
-    for (const CurveType& type : curveTypes()) {
+    for (const ObjectType& type : types) {
         Json schema = variantSchema("type", type.type, type.label, type.fields);
         addFields(schema, extra);
-        if (type.type == "parametric-curve") schema["allOf"] = parametersByName();
+        if (type.type == "parametric-curve") {
+            schema["allOf"] = parametersByName(parametricCurveChoices(), curveParameterFields);
+        } else if (type.type == "parametric-surface") {
+            schema["allOf"] = parametersByName(parametricSurfaceChoices(), surfaceParameterFields);
+        }
         variants.push_back(std::move(schema));
     }
     return {{"oneOf", std::move(variants)}};
+}
+
+/// A mesh in each of the ways in which one is given.
+Json meshSchema() {
+    const auto only = [](Json properties, Json required) {
+        return Json{{"type", "object"}, {"properties", std::move(properties)},
+                    {"required", std::move(required)}, {"additionalProperties", false}};
+    };
+    const Json numbers{{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
+    const Json index{{"type", "integer"}, {"minimum", 0}};
+    return {{"anyOf",
+             {only({{"solid", {{"type", "string"}}}, {"parameters", numbers}}, {"solid"}),
+              only({{"vertices", listOf(tuple(2, 3))}, {"faces", listOf(listOf(index))}},
+                   {"vertices", "faces"}),
+              only({{"obj", {{"type", "string"}}}}, Json::array({"obj"}))}}};
 }
 
 Json effectSchema() {
@@ -167,8 +188,10 @@ Json documentSchema() {
     for (const auto& item : document.items()) schema[item.key()] = item.value();
     schema["properties"]["objects"] = listOf(reference("object"));
     schema["properties"]["effects"] = listOf(reference("effect"));
-    schema["$defs"] = Json{{"object", curveSchema(objectFields())},
-                           {"curve", curveSchema({})},
+    schema["$defs"] = Json{{"object", typesSchema(objectTypes(), objectFields())},
+                           {"curve", typesSchema(curveTypes(), {})},
+                           {"surface", typesSchema(surfaceTypes(), {})},
+                           {"mesh", meshSchema()},
                            {"bFunction", bFunctionSchema()},
                            {"pose", objectSchema(poseFields())},
                            {"effect", effectSchema()}};

@@ -6,9 +6,14 @@
 #pragma once
 
 #include "geometry/curve.hpp"
+#include "scene/fields.hpp"
 #include "scene/json.hpp"
 
 namespace knotwork::scene {
+
+/// The keys in the order of the tables, `id` and `type` first, `style` and what else an object has
+/// last: what was computed stands at the end until then.
+[[nodiscard]] Json inOrder(const Json& spec, std::span<const Field> fields);
 
 [[nodiscard]] Result<BFunction> buildBFunction(const Json& spec);
 

@@ -28,28 +28,26 @@ constexpr std::array builders{
     Builder{"formula-curve", buildFormula},
 };
 
-/// The keys of a curve in the order of the tables: what was computed stands last until then.
-Json inOrder(const Json& spec) {
+}  // namespace
+
+Json inOrder(const Json& spec, std::span<const Field> fields) {
     Json ordered = Json::object();
     const auto take = [&](std::string_view key) {
         if (const Json* value = member(spec, key)) ordered[std::string(key)] = *value;
     };
     take("id");
     take("type");
-    for (const Field& field : findCurveType(stringOr(spec, "type", ""))->fields) take(field.name);
-    take("style");
-    take("show");
+    for (const Field& field : fields) take(field.name);
+    for (const Field& field : objectFields()) take(field.name);
     return ordered;
 }
-
-}  // namespace
 
 Result<Curve> buildCurve(Json& spec) {
     const std::string type = stringOr(spec, "type", "");
     const auto builder = std::find_if(builders.begin(), builders.end(),
                                       [&](const Builder& b) { return b.type == type; });
     auto made = builder->build(spec);
-    if (made) spec = inOrder(spec);
+    if (made) spec = inOrder(spec, findCurveType(type)->fields);
     return made;
 }
 
@@ -65,22 +63,6 @@ Result<Made<Curve>> makeCurve(const Json& spec) {
     auto canonical = readCurve(spec, objectFields());
     if (!canonical) return canonical.error();
     for (const Field& field : objectFields()) canonical->erase(std::string(field.name));
-    auto made = buildCurve(*canonical);
-    if (!made) return made.error();
-    return Made<Curve>{std::move(*canonical), std::move(*made)};
-}
-
-Result<Made<Curve>> makeObject(const Json& spec) {
-    auto canonical = readCurve(spec, objectFields());
-    if (!canonical) return canonical.error();
-    for (const std::string_view group : {"style", "show"}) {
-        const Json* given = member(*canonical, group);
-        const auto field = std::find_if(objectFields().begin(), objectFields().end(),
-                                        [&](const Field& f) { return f.name == group; });
-        auto filled = readGroup(given != nullptr ? *given : Json::object(), field->fields.all());
-        if (!filled) return filled.error().under(group);
-        (*canonical)[std::string(group)] = std::move(*filled);
-    }
     auto made = buildCurve(*canonical);
     if (!made) return made.error();
     return Made<Curve>{std::move(*canonical), std::move(*made)};

@@ -24,10 +24,6 @@ struct Made {
 /// What kw.subdivide() takes: the fields of a `subdivision-curve`, its type or none.
 [[nodiscard]] Result<CurveSubdivision> makeSubdivision(const Json& spec);
 
-/// An object of a scene: a curve specification with `id`, `style` and `show`, the last two filled
-/// in; an id that was left out stays out.
-[[nodiscard]] Result<Made<Curve>> makeObject(const Json& spec);
-
 /// The canonical specification of a curve that has been computed; makeCurve() makes it again, equal
 /// to rounding. For the kinds that are ever computed.
 [[nodiscard]] Json specOf(const Curve& curve);

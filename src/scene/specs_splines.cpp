@@ -1,28 +1,11 @@
 #include "scene/spec_builders.hpp"
 
+#include "scene/form_names.hpp"
 #include "scene/json_values.hpp"
 
 #include <algorithm>
 
 namespace knotwork::scene {
-
-namespace {
-
-Form formOf(const Json& spec) {
-    const std::string name = stringOr(spec, "form", "clamped");
-    return name == "open" ? Form::open : name == "closed" ? Form::closed : Form::clamped;
-}
-
-std::string_view formName(Form form) noexcept {
-    switch (form) {
-        case Form::clamped: return "clamped";
-        case Form::open: return "open";
-        case Form::closed: return "closed";
-    }
-    return "clamped";
-}
-
-}  // namespace
 
 Result<Curve> buildBspline(Json& spec) {
     const Json& list = *member(spec, "points");
@@ -37,9 +20,10 @@ Result<Curve> buildBspline(Json& spec) {
                                     [](const Vec3& p) { return p.z == 0; });
     const int degree = static_cast<int>(numberOr(spec, "degree", 0));
     const int count = static_cast<int>(points.size());
+    const Form form = *formNamed(stringOr(spec, "form", "clamped"));
     const Json* given = member(spec, "knots");
-    auto knots = given != nullptr ? KnotVector::make(numbersOf(*given), degree, count, formOf(spec))
-                                  : KnotVector::uniform(degree, count, formOf(spec));
+    auto knots = given != nullptr ? KnotVector::make(numbersOf(*given), degree, count, form)
+                                  : KnotVector::uniform(degree, count, form);
     if (!knots) return knots.error();
     if (given == nullptr) spec["knots"] = listOf(knots->knots());
     const Json* weights = member(spec, "weights");

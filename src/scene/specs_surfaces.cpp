@@ -1,4 +1,5 @@
 // The builders of B-spline and parametric surfaces.
+#include "scene/form_names.hpp"
 #include "scene/json_values.hpp"
 #include "scene/parameter_fields.hpp"
 #include "scene/surface_builders.hpp"
@@ -9,19 +10,6 @@
 namespace knotwork::scene {
 
 namespace {
-
-Form formOf(const Json& name) {
-    return name == "open" ? Form::open : name == "closed" ? Form::closed : Form::clamped;
-}
-
-std::string_view formName(Form form) noexcept {
-    switch (form) {
-        case Form::clamped: return "clamped";
-        case Form::open: return "open";
-        case Form::closed: return "closed";
-    }
-    return "clamped";
-}
 
 /// Nothing where all rows have the same length; otherwise WRONG_LENGTH at the row that differs.
 std::optional<Error> checkRows(const Json& rows, std::size_t columns, std::string_view list) {
@@ -41,13 +29,14 @@ Result<KnotVector> knotsAlong(const Json& spec, std::size_t direction, std::size
                       std::to_string(count) +
                           " points in one direction; a surface has at most 100000 in all");
     }
-    const Json& form = (*member(spec, "form"))[direction];
+    const Form form =
+        *formNamed((*member(spec, "form"))[direction].get_ref<const std::string&>());
     const auto degree = static_cast<int>((*member(spec, "degree"))[direction].get<double>());
     const Json* given = member(spec, "knots");
     auto knots = given != nullptr
                      ? KnotVector::make(numbersOf((*given)[direction]), degree,
-                                        static_cast<int>(count), formOf(form))
-                     : KnotVector::uniform(degree, static_cast<int>(count), formOf(form));
+                                        static_cast<int>(count), form)
+                     : KnotVector::uniform(degree, static_cast<int>(count), form);
     if (!knots) return ofDirection(knots.error(), direction);
     return knots;
 }

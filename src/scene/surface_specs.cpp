@@ -2,6 +2,7 @@
 
 #include "scene/json_values.hpp"
 #include "scene/parameter_fields.hpp"
+#include "scene/spec_builders.hpp"
 #include "scene/surface_builders.hpp"
 #include "scene/validation.hpp"
 
@@ -25,17 +26,6 @@ constexpr std::array builders{
     Builder{"blending-surface", buildBlendingSurface},
 };
 
-/// The keys in the order of the tables: what was computed stands last until then.
-Json inOrder(const Json& spec) {
-    Json ordered = Json::object();
-    const std::string type = stringOr(spec, "type", "");
-    ordered["type"] = type;
-    for (const Field& field : findSurfaceType(type)->fields) {
-        if (const Json* value = member(spec, field.name)) ordered[std::string(field.name)] = *value;
-    }
-    return ordered;
-}
-
 }  // namespace
 
 Result<Surface> buildSurface(Json& spec) {
@@ -43,13 +33,14 @@ Result<Surface> buildSurface(Json& spec) {
     const auto builder = std::find_if(builders.begin(), builders.end(),
                                       [&](const Builder& b) { return b.type == type; });
     auto made = builder->build(spec);
-    if (made) spec = inOrder(spec);
+    if (made) spec = inOrder(spec, findSurfaceType(type)->fields);
     return made;
 }
 
 Result<Made<Surface>> makeSurface(const Json& spec) {
-    auto canonical = readSurface(spec);
+    auto canonical = readSurface(spec, objectFields());
     if (!canonical) return canonical.error();
+    for (const Field& field : objectFields()) canonical->erase(std::string(field.name));
     auto made = buildSurface(*canonical);
     if (!made) return made.error();
     return Made<Surface>{std::move(*canonical), std::move(*made)};

@@ -7,7 +7,8 @@
 
 namespace knotwork::scene {
 
-/// A surface specification of any type.
+/// A surface specification of any type. What an object of a scene has besides (`id`, `style`, `show`)
+/// may stand in it, is checked, and does not come back.
 [[nodiscard]] Result<Made<Surface>> makeSurface(const Json& spec);
 
 /// The canonical specification of a surface that has been computed; makeSurface() makes it again.

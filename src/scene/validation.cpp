@@ -235,6 +235,8 @@ Result<Json> readField(const Json& given, const Field& field, const Json& parent
         case FieldKind::surface: return readSurface(given);
         case FieldKind::surfaceName: return readName(given, parametricSurfaceChoices());
         case FieldKind::surfaceParameters: return readSurfaceParameters(given, parent);
+        case FieldKind::mesh:
+            return given.is_object() ? Result<Json>(given) : wrongType("a mesh", given);
     }
     return wrongType("something else", given);
 }
@@ -339,8 +341,8 @@ namespace {
 Result<Json> readTyped(const Json& given, std::span<const CurveType> types,
                        std::span<const Field> extra, std::string_view noun) {
     if (!given.is_object()) {
-        return wrongType("a " + std::string(noun) + " such as { \"type\": \"bspline-" +
-                             std::string(noun) + "\", … }",
+        return wrongType("a " + std::string(noun) + " such as { \"type\": \"" +
+                             std::string(types.front().type) + "\", … }",
                          given);
     }
     std::vector<Choice> choices;
@@ -372,8 +374,12 @@ Result<Json> readCurve(const Json& given, std::span<const Field> extra) {
     return readTyped(given, curveTypes(), extra, "curve");
 }
 
-Result<Json> readSurface(const Json& given) {
-    return readTyped(given, surfaceTypes(), {}, "surface");
+Result<Json> readSurface(const Json& given, std::span<const Field> extra) {
+    return readTyped(given, surfaceTypes(), extra, "surface");
+}
+
+Result<Json> readObjectSpec(const Json& given) {
+    return readTyped(given, objectTypes(), objectFields(), "object");
 }
 
 }  // namespace knotwork::scene

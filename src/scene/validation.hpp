@@ -20,8 +20,11 @@ namespace knotwork::scene {
 /// that were given (an object of a scene has `id`, `style` and `show` besides).
 [[nodiscard]] Result<Json> readCurve(const Json& given, std::span<const Field> extra = {});
 
-/// A surface specification of any type: `type` first, then its fields.
-[[nodiscard]] Result<Json> readSurface(const Json& given);
+/// A surface specification of any type, likewise.
+[[nodiscard]] Result<Json> readSurface(const Json& given, std::span<const Field> extra = {});
+
+/// An object of a scene of any type, with its `id`, `style` and `show` as far as they were given.
+[[nodiscard]] Result<Json> readObjectSpec(const Json& given);
 
 /// What a person would call this value in a message: `the string "0.5"`, `null`, `a list`.
 [[nodiscard]] std::string describeValue(const Json& value);

@@ -1,5 +1,6 @@
 #include "ui/panel.hpp"
 
+#include "scene/object_builders.hpp"
 #include "ui/panel_editor.hpp"
 #include "ui/panel_widgets.hpp"
 
@@ -47,8 +48,7 @@ bool arrowButton(const std::string& name, bool toLeft, bool enabled) {
 }
 
 std::string titleOf(const scene::Object& object) {
-    const scene::CurveType* type = scene::findCurveType(scene::stringOr(object.spec, "type", ""));
-    return std::string(type ? type->label : "") + "  " + object.id;
+    return std::string(scene::objectTypeLabel(object.spec)) + "  " + object.id;
 }
 
 /// Which object is shown; a plain title where there is only one.

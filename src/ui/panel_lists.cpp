@@ -152,7 +152,7 @@ void pose(PanelEditor& editor, const PanelField& field, std::size_t k) {
 
 /// The first local curve that has no pose yet, or -1.
 int firstWithoutPose(const PanelEditor& editor, const Json& poses) {
-    const auto* blend = editor.object().curve.as<BlendingCurve>();
+    const auto* blend = editor.object().body.as<BlendingCurve>();
     if (blend == nullptr) return -1;
     for (int local = 0; local < static_cast<int>(blend->locals().size()); ++local) {
         const bool posed = std::any_of(poses.begin(), poses.end(), [local](const Json& each) {

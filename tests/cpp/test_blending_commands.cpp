@@ -26,7 +26,7 @@ Scene lines() {
 const Object& blend(const Scene& scene) { return *scene.state().objects[0]; }
 
 Vec3 slopeAt(const Scene& scene, double t) {
-    return test::rowsOf<2>(blend(scene).curve, t)[1];
+    return test::rowsOf<2>(*blend(scene).body.curve(), t)[1];
 }
 
 TEST(BlendingCommand, AMovedKnotCutsItsLocalCurveAnewUnlessItIsToStay) {
@@ -54,7 +54,7 @@ TEST(BlendingCommand, AKnotOnItsNeighbourIsABreakAndAThirdIsRefused) {
         Scene scene = lines();
         const std::string end = std::string(R"(, "recut": )") + recut + "}";
         expectDone(scene, R"({"move": "objects[0].knots[2]", "to": 1)" + end);
-        const auto& curve = blend(scene).curve;
+        const auto& curve = *blend(scene).body.curve();
         const Vec3 jump = test::rowsOf<1>(curve, 1, Side::right)[0] -
                           test::rowsOf<1>(curve, 1, Side::left)[0];
         EXPECT_GT(glm::length(jump), 0.5);

@@ -121,7 +121,7 @@ TEST(Drag, AHandleMovesItsLocalCurveAlsoWhenEffectsHaveTurnedIt) {
     play.view.touch();
     const Pixel from = play.pixelOf("objects[0].poses[1]");
     play.drag(from, {from.x + 50, from.y});
-    const auto* curve = play.scene->state().objects[0]->curve.as<BlendingCurve>();
+    const auto* curve = play.scene->state().objects[0]->body.as<BlendingCurve>();
     const Vec3 moved = curve->locals()[1].pose().translate;
     EXPECT_NEAR(moved.x, 0, play.unitsPerPixel());
     EXPECT_NEAR(moved.y, -50 * play.unitsPerPixel(), play.unitsPerPixel());
@@ -135,7 +135,7 @@ TEST(Drag, ShiftTurnsALocalCurveAndAltScalesIt) {
     const Pixel from = play.pixelOf("objects[0].poses[1]");
     play.drag(from, {from.x + 50, from.y}, shiftKey);
     const auto poseOf = [&] {
-        return play.scene->state().objects[0]->curve.as<BlendingCurve>()->locals()[1].pose();
+        return play.scene->state().objects[0]->body.as<BlendingCurve>()->locals()[1].pose();
     };
     EXPECT_NEAR(poseOf().angle, 0.5, 1e-12);
     play.drag(from, {from.x, from.y - 100}, altKey);

@@ -44,10 +44,11 @@ TEST(KnotEdits, InsertingAKnotByItsListDoesNotMoveTheCurve) {
     for (const auto& [index, path] : {std::pair{0U, "objects[0].knots"}, {0U, "objects[0].knots[4]"},
                                      {1U, "objects[1].knots"}, {2U, "objects[2].model.knots"}}) {
         Scene scene = open();
-        const Curve before = scene.state().objects[index]->curve;
+        const Curve before = *scene.state().objects[index]->body.curve();
         const Json was = object(scene, index);
         expectDone(scene, R"({"insert": ")" + std::string(path) + R"(", "value": 1.5})");
-        EXPECT_LE(moved(before, scene.state().objects[index]->curve), 5 * test::gates::refinement);
+        EXPECT_LE(moved(before, *scene.state().objects[index]->body.curve()),
+                  5 * test::gates::refinement);
         EXPECT_NE(object(scene, index), was);
         EXPECT_EQ(object(scene, index)["style"], was["style"]);
         EXPECT_TRUE(scene.undo());
@@ -57,13 +58,13 @@ TEST(KnotEdits, InsertingAKnotByItsListDoesNotMoveTheCurve) {
 
 TEST(KnotEdits, RemovingAnInsertedKnotGivesTheCurveBack) {
     Scene scene = open();
-    const Curve before = scene.state().objects[0]->curve;
+    const Curve before = *scene.state().objects[0]->body.curve();
     expectDone(scene, R"({"insert": "objects[0].knots", "value": 2})");
     EXPECT_EQ(object(scene, 0)["knots"], json("[0, 0, 0, 1, 2, 3, 4, 4, 4]"));
     EXPECT_EQ(object(scene, 0)["weights"].size(), 6U);
     expectDone(scene, R"({"remove": "objects[0].knots[4]"})");
     EXPECT_EQ(object(scene, 0)["knots"], json("[0, 0, 0, 1, 3, 4, 4, 4]"));
-    EXPECT_LE(moved(before, scene.state().objects[0]->curve), 5e-13);
+    EXPECT_LE(moved(before, *scene.state().objects[0]->body.curve()), 5e-13);
 }
 
 TEST(KnotEdits, RemovingAKnotTakesAPointWithIt) {

@@ -180,9 +180,9 @@ TEST(Commands, AnEndKnotOfAClampedCurveMovesWithItsEquals) {
 
 TEST(Commands, InsertingAKnotDoesNotMoveTheCurve) {
     Scene scene = twoScene();
-    const Curve before = scene.state().objects[0]->curve;
+    const Curve before = *scene.state().objects[0]->body.curve();
     expectDone(scene, R"({"insertKnot": {"object": "c1", "at": 2}})");
-    const Curve after = scene.state().objects[0]->curve;
+    const Curve after = *scene.state().objects[0]->body.curve();
     EXPECT_EQ(object(scene, 0)["points"].size(), 6U);
     for (double t = 0; t <= 4; t += 0.125) {
         EXPECT_LE(glm::length(pointAt(before, t) - pointAt(after, t)), 5e-14);
@@ -285,12 +285,12 @@ TEST(Effects, AtPhaseZeroAndOneEverythingStandsWhereItBeganToTheBit) {
             EXPECT_EQ(placed[i].placement, Affine{});
             EXPECT_EQ(placed[i].colour, rest[i].colour);
             for (double t = 0; t < 4; t += 0.3) {
-                EXPECT_EQ(pointAt(placed[i].curve, t), pointAt(rest[i].curve, t));
+                EXPECT_EQ(pointAt(*placed[i].body.curve(), t), pointAt(*rest[i].body.curve(), t));
             }
         }
     }
     const auto half = place(scene.state(), {.phase = 0.5, .time = {}});
-    EXPECT_GT(glm::length(pointAt(half[1].curve, 0) - pointAt(rest[1].curve, 0)), 1e-3);
+    EXPECT_GT(glm::length(pointAt(*half[1].body.curve(), 0) - pointAt(*rest[1].body.curve(), 0)), 1e-3);
     EXPECT_NEAR(half[0].colour.red, 1, 1e-12);
 }
 
@@ -298,7 +298,7 @@ TEST(Effects, ADayOfTimeLeavesNoDrift) {
     const Scene scene = twoScene();
     const auto now = place(scene.state(), {.phase = {}, .time = 1.25});
     const auto later = place(scene.state(), {.phase = {}, .time = 1.25 + 86'400});
-    EXPECT_LE(glm::length(pointAt(now[1].curve, 1) - pointAt(later[1].curve, 1)), 1e-9);
+    EXPECT_LE(glm::length(pointAt(*now[1].body.curve(), 1) - pointAt(*later[1].body.curve(), 1)), 1e-9);
     EXPECT_EQ(phaseAt(-1e-30, 10), 0);
     EXPECT_NEAR(phaseAt(-2.5, 10), 0.75, 1e-15);
 }
@@ -319,8 +319,8 @@ TEST(Effects, SimulatingTurnsAPosedLocalFurther) {
                           "rotate": {"axis": [0, 1, 1], "angle": 0.7}}})");
     const auto rest = place(scene.state(), {});
     const auto half = place(scene.state(), {.phase = 0.5, .time = {}});
-    const auto& before = rest[1].curve.as<BlendingCurve>()->locals()[0];
-    const auto& after = half[1].curve.as<BlendingCurve>()->locals()[0];
+    const auto& before = rest[1].body.as<BlendingCurve>()->locals()[0];
+    const auto& after = half[1].body.as<BlendingCurve>()->locals()[0];
     const Mat3 extra = after.placement().linear * glm::inverse(before.placement().linear);
     const Vec3 axis = glm::normalize(Vec3(1, 2, 0));
     EXPECT_LE(glm::length(extra * axis - axis), 1e-14);

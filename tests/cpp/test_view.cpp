@@ -33,13 +33,14 @@ TEST(DoubleClick, OnTheKnotLineInsertsAKnotWithoutMovingTheCurve) {
     const PaneFigure* pane = figure->find(Pane::knots);
     ASSERT_NE(pane, nullptr);
     const Pixel at{pane->plot.map.pixelX(1.5), pane->plot.map.pixelY(0)};
-    const Vec3 before = pointAt(play.scene->state().objects[0]->curve, 1.3);
+    const Vec3 before = pointAt(*play.scene->state().objects[0]->body.curve(), 1.3);
     const std::size_t knots = play.at("objects[0].knots").size();
     play.click(at);
     EXPECT_TRUE(play.click(at));
     ASSERT_EQ(play.at("objects[0].knots").size(), knots + 1);
     EXPECT_NEAR(play.at("objects[0].knots[5]").get<double>(), 1.5, 0.01);
-    EXPECT_NEAR(glm::distance(pointAt(play.scene->state().objects[0]->curve, 1.3), before), 0,
+    const Vec3 after = pointAt(*play.scene->state().objects[0]->body.curve(), 1.3);
+    EXPECT_NEAR(glm::distance(after, before), 0,
                 1e-13);
 }
 
@@ -196,7 +197,7 @@ TEST(Hover, AKnotShowsItsPlaceInAllPanes) {
     const Figure* figure = play.view.figure();
     ASSERT_EQ(figure->find(Pane::curve)->above.size(), 1u);
     const Vec3 dot = positionOf(figure->find(Pane::curve)->above.front(), 0);
-    EXPECT_EQ(dot, pointAt(play.scene->state().objects[0]->curve, 1));
+    EXPECT_EQ(dot, pointAt(*play.scene->state().objects[0]->body.curve(), 1));
     EXPECT_EQ(figure->find(Pane::basis)->plot.over.size(), 1u);
     EXPECT_EQ(figure->find(Pane::knots)->plot.over.size(), 1u);
 }

@@ -1,0 +1,22 @@
+// Objects of a scene: from specifications of any type to bodies.
+#pragma once
+
+#include "geometry/parametrisation.hpp"
+#include "scene/body.hpp"
+#include "scene/specs.hpp"
+
+#include <string_view>
+
+namespace knotwork::scene {
+
+/// An object of a scene: the specification of a curve, a surface, a subdivision surface or a cloud
+/// of points, with `id`, `style` and `show`, the last two filled in; an id that was left out stays
+/// out.
+[[nodiscard]] Result<Made<Body>> makeObject(const Json& spec);
+
+[[nodiscard]] std::string_view objectTypeLabel(const Json& spec) noexcept;
+
+/// Of a checked name.
+[[nodiscard]] Parametrisation parametrisationNamed(std::string_view name) noexcept;
+
+}  // namespace knotwork::scene

@@ -1,0 +1,145 @@
+// The tables of what a scene has besides curves and surfaces, and of what all its objects have.
+#include "geometry/mesh_subdivision.hpp"
+#include "scene/fields.hpp"
+#include "scene/fit_fields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace knotwork::scene {
+
+namespace {
+
+constexpr std::array schemeChoices{Choice{meshSchemeNames[0], "Catmull–Clark"},
+                                   Choice{meshSchemeNames[1], "Doo–Sabin"},
+                                   Choice{meshSchemeNames[2], "Loop"},
+                                   Choice{meshSchemeNames[3], "Butterfly"},
+                                   Choice{meshSchemeNames[4], "√3"}};
+
+constexpr std::array subdivisionFields{
+    Field{.name = "scheme", .label = "Scheme", .kind = FieldKind::choice,
+          .help = "How a level makes a finer mesh of the one before.",
+          .defaultJson = "\"catmull-clark\"", .choices = schemeChoices},
+    Field{.name = "levels", .label = "Levels", .kind = FieldKind::integer,
+          .help = "How often it is subdivided.", .min = 0, .max = 20, .maxIsSize = true,
+          .defaultJson = "2", .slider = std::pair{0.0, 6.0}},
+    Field{.name = "mesh", .label = "Mesh", .kind = FieldKind::mesh,
+          .help = "The control mesh: a solid by its name, or vertices and faces.",
+          .required = true},
+};
+
+constexpr std::array fitFields{fitDegreeField, fitCountField,     fitFormField,
+                               fitParametersField, fitEndsField, fitSmoothingField};
+
+constexpr std::array cloudFields{
+    Field{.name = "points", .label = "Points", .kind = FieldKind::points, .help = "The data.",
+          .required = true},
+    Field{.name = "fit", .label = "Fit", .kind = FieldKind::group,
+          .help = "The B-spline curve that comes closest to the points, if one is wanted.",
+          .fields = fitFields},
+};
+
+constexpr std::array ownTypes{
+    ObjectType{"subdivision-surface", "Subdivision surface", subdivisionFields},
+    ObjectType{"point-cloud", "Point cloud", cloudFields},
+};
+
+constexpr Field flag(std::string_view name, std::string_view label, std::string_view help,
+                     std::string_view normally) {
+    return {.name = name, .label = label, .kind = FieldKind::flag, .help = help,
+            .defaultJson = normally};
+}
+
+constexpr std::array styleFields{
+    Field{.name = "colour", .label = "Colour", .kind = FieldKind::colour,
+          .help = "Colour of the curve or surface.", .defaultJson = "\"#2b6cb0\""},
+    Field{.name = "width", .label = "Width", .kind = FieldKind::number,
+          .help = "Width of the curve in CSS pixels.", .min = 0.5, .max = 12,
+          .defaultJson = "2.5"},
+};
+
+constexpr std::array showFields{
+    flag("curve", "Curve", "The curve itself.", "true"),
+    flag("surface", "Surface", "The surface itself.", "true"),
+    flag("isolines", "Isolines", "Lines of constant parameter on the surface.", "true"),
+    flag("wireframe", "Wireframe", "The edges of the mesh.", "false"),
+    flag("polygon", "Polygon", "The control polygon, net or mesh.", "true"),
+    flag("points", "Points", "The control points.", "true"),
+    flag("knots", "Knots", "Knots on the curve.", "true"),
+    flag("locals", "Local curves", "The local curves, dashed where they fade.", "false"),
+    flag("handles", "Handles", "Handles that move the local curves and patches.", "true"),
+    flag("basis", "Basis functions", "The basis functions over the knot line.", "true"),
+    flag("bFunction", "B-function", "The B-function with its derivatives.", "true"),
+    flag("comb", "Curvature comb", "The curvature, drawn across the curve.", "false"),
+    flag("hodograph", "Hodograph", "The first derivative as a curve.", "false"),
+    flag("osculating", "Osculating circle", "The circle that touches best at the parameter.",
+         "false"),
+    flag("hull", "Convex hull", "The convex hull of the control points.", "false"),
+    flag("frames", "Frames", "Tangent, normal and binormal along the curve.", "false"),
+    flag("sphere", "Enclosing sphere", "The smallest circle or sphere around it.", "false"),
+    flag("residuals", "Residuals", "From each datum to its point on the fitted curve.", "true"),
+    flag("labels", "Labels", "Names of points and knots.", "false"),
+};
+
+constexpr std::array objectTable{
+    Field{.name = "id", .label = "Name", .kind = FieldKind::text,
+          .help = "The name by which effects and commands call the object."},
+    Field{.name = "style", .label = "Style", .kind = FieldKind::group, .help = "How it looks.",
+          .defaultJson = "{}", .fields = styleFields},
+    Field{.name = "show", .label = "Show", .kind = FieldKind::group, .help = "What is drawn.",
+          .defaultJson = "{}", .fields = showFields},
+};
+
+constexpr std::string_view everyCurve = "curve comb hodograph osculating frames sphere";
+constexpr std::string_view everySurface = "surface isolines wireframe sphere";
+
+/// The flags that an object of this type has besides those of its kind.
+constexpr std::string_view ownFlags(std::string_view type) noexcept {
+    if (type == "bspline-curve") return "polygon points knots basis hull labels";
+    if (type == "bezier-curve") return "polygon points hull labels";
+    if (type == "subdivision-curve") return "polygon points labels";
+    if (type == "blending-curve") return "knots locals handles basis bFunction labels";
+    if (type == "bspline-surface") return "polygon points labels";
+    if (type == "blending-surface") return "locals handles bFunction labels";
+    if (type == "subdivision-surface") return "surface wireframe polygon points sphere labels";
+    if (type == "point-cloud") return "curve polygon points knots basis residuals hull sphere labels";
+    return "";
+}
+
+/// Whether `word` is among the words of a list.
+constexpr bool among(std::string_view list, std::string_view word) noexcept {
+    while (!list.empty()) {
+        const std::size_t end = std::min(list.find(' '), list.size());
+        if (list.substr(0, end) == word) return true;
+        list.remove_prefix(std::min(end + 1, list.size()));
+    }
+    return false;
+}
+
+}  // namespace
+
+bool showApplies(std::string_view type, std::string_view flag) noexcept {
+    if (among(ownFlags(type), flag)) return true;
+    if (findCurveType(type) != nullptr) return among(everyCurve, flag);
+    return findSurfaceType(type) != nullptr && among(everySurface, flag);
+}
+
+std::span<const Field> objectFields() noexcept { return objectTable; }
+
+std::vector<ObjectType> objectTypes() {
+    std::vector<ObjectType> types(curveTypes().begin(), curveTypes().end());
+    types.insert(types.end(), surfaceTypes().begin(), surfaceTypes().end());
+    types.insert(types.end(), ownTypes.begin(), ownTypes.end());
+    return types;
+}
+
+const ObjectType* findObjectType(std::string_view type) noexcept {
+    if (const ObjectType* curve = findCurveType(type)) return curve;
+    if (const ObjectType* surface = findSurfaceType(type)) return surface;
+    const auto found = std::find_if(ownTypes.begin(), ownTypes.end(),
+                                    [&](const ObjectType& t) { return t.type == type; });
+    return found == ownTypes.end() ? nullptr : &*found;
+}
+
+}  // namespace knotwork::scene
