@@ -15,16 +15,20 @@ constexpr std::array formChoices{
     Choice{"clamped", "Clamped"}, Choice{"open", "Open"}, Choice{"closed", "Closed"}};
 
 constexpr std::array oneDegree{Field{.name = "degree", .label = "Degree",
-                                     .kind = FieldKind::integer, .min = 1, .max = 25,
-                                     .maxIsSize = true}};
+                                     .kind = FieldKind::integer, .help = "Degree in one direction.",
+                                     .min = 1, .max = 25, .maxIsSize = true}};
 constexpr std::array oneForm{
-    Field{.name = "form", .label = "Form", .kind = FieldKind::choice, .choices = formChoices}};
+    Field{.name = "form", .label = "Form", .kind = FieldKind::choice,
+          .help = "Clamped, open or closed in one direction.", .choices = formChoices}};
 constexpr std::array rowOfPoints{
-    Field{.name = "row", .label = "Row", .kind = FieldKind::points}};
+    Field{.name = "row", .label = "Row", .kind = FieldKind::points,
+          .help = "The points for one place along u."}};
 constexpr std::array rowOfNumbers{
-    Field{.name = "row", .label = "Row", .kind = FieldKind::numbers}};
+    Field{.name = "row", .label = "Row", .kind = FieldKind::numbers,
+          .help = "The weights for one place along u."}};
 constexpr std::array oneKnots{
-    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers}};
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
+          .help = "The knots of one direction, as of a curve."}};
 
 constexpr std::array bsplineFields{
     Field{.name = "degree", .label = "Degrees", .kind = FieldKind::pair,
@@ -55,12 +59,17 @@ constexpr std::array patchKindChoices{Choice{"sub-surface", "Sub-surface"},
                                       Choice{"bezier", "Bézier patch"}};
 
 constexpr std::array oneCount{Field{.name = "count", .label = "Number",
-                                    .kind = FieldKind::integer, .min = 2, .max = 10'000,
-                                    .maxIsSize = true}};
+                                    .kind = FieldKind::integer,
+                                    .help = "How many in one direction.", .min = 2,
+                                    .max = 10'000, .maxIsSize = true}};
 constexpr std::array oneBlendForm{Field{.name = "form", .label = "Form",
-                                        .kind = FieldKind::choice, .choices = blendFormChoices}};
+                                        .kind = FieldKind::choice,
+                                        .help = "Open or closed in one direction.",
+                                        .choices = blendFormChoices}};
 constexpr std::array onePlace{Field{.name = "index", .label = "Index",
-                                    .kind = FieldKind::integer, .min = 0, .max = 9999}};
+                                    .kind = FieldKind::integer,
+                                    .help = "Place in one direction, counted from 0.",
+                                    .min = 0, .max = 9999}};
 
 constexpr std::array patchPoseTable{
     Field{.name = "local", .label = "Local patch", .kind = FieldKind::pair,
