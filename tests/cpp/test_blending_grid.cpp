@@ -36,9 +36,9 @@ TEST(BlendingGrid, SubSurfacesThatNobodyMovedHaveTheGridOfTheModel) {
     }
 }
 
-TEST(BlendingGrid, PatchesOfAHighDegreeAreRowsOfPolynomialsToo) {
+TEST(BlendingGrid, PatchesOfAHighDegreeOrALowOneAreRowsOfPolynomialsToo) {
     const auto cubic = BFunction::makePolynomial(1, 1).value();
-    for (const auto& [u, v] : {std::pair{9, 8}, {4, 25}, {25, 7}}) {
+    for (const auto& [u, v] : {std::pair{9, 8}, {4, 25}, {25, 7}, {5, 2}, {2, 1}, {1, 3}}) {
         expectGrid(test::blendOver(test::model("torus"), {8, 6, BlendForm::closed, BlendForm::closed,
                                                           {PatchKind::bezier, {u, v}}, cubic, cubic}),
                    9, 10, std::to_string(u) + " × " + std::to_string(v));

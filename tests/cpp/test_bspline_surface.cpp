@@ -245,6 +245,39 @@ TEST(BsplineSurface, ARefusedRefinementNamesTheDirection) {
     EXPECT_EQ(refined.error().path, "knots[1]");
 }
 
+TEST(BsplineSurface, HasAtMostAHundredThousandPointsAlsoWhenRefined) {
+    const auto line = [](int count) { return KnotVector::uniform(1, count, Form::clamped).value(); };
+    const auto made = BsplineSurface::make(line(400), line(251), {});
+    ASSERT_FALSE(made.ok());
+    EXPECT_EQ(made.error().code, Code::tooLarge);
+    EXPECT_EQ(made.error().path, "points");
+    EXPECT_NE(made.error().message.find("100400 points"), std::string::npos);
+    const auto large =
+        BsplineSurface::make(line(400), line(250), std::vector<Vec3>(100'000)).value();
+    const auto knotsOf = [](const KnotVector& knots) {
+        return std::vector<double>(knots.knots().begin(), knots.knots().end());
+    };
+    const auto refined = refine(large, withMiddles(large.knotsU()), knotsOf(large.knotsV()));
+    ASSERT_FALSE(refined.ok());
+    EXPECT_EQ(refined.error().code, Code::tooLarge);
+    EXPECT_EQ(refined.error().path, "knots");
+    EXPECT_NE(refined.error().message.find("199750 points"), std::string::npos);
+    EXPECT_TRUE(refine(large, knotsOf(large.knotsU()), knotsOf(large.knotsV())).ok());
+}
+
+TEST(BsplineSurface, ErrorsOfADirectionAreSeenFromTheSurface) {
+    const auto path = [](const char* of, std::size_t direction) {
+        return ofDirection(refuse(Code::outOfRange, of, ""), direction).path;
+    };
+    EXPECT_EQ(path("knots[3]", 0), "knots[0][3]");
+    EXPECT_EQ(path("knots", 1), "knots[1]");
+    EXPECT_EQ(path("degree", 1), "degree[1]");
+    // Too few points: rows along u, columns along v.
+    EXPECT_EQ(path("points", 0), "points");
+    EXPECT_EQ(path("points", 1), "points[0]");
+    EXPECT_EQ(path("form", 1), "form");
+}
+
 TEST(BsplineSurface, RefusesByRowAndColumn) {
     const BsplineSurface good = someSurface();
     std::vector<Vec3> points(good.points().begin(), good.points().end());

@@ -71,5 +71,13 @@ TEST(CurveSampler, ThatIsMovedSamplesTheCurveItWasMadeOf) {
     }
 }
 
+TEST(CurveSampler, OfOnePointTakesTheBeginning) {
+    for (const Curve& curve : {Curve(make("circle")), spline(3, Form::clamped, {}, sShape())}) {
+        std::vector<double> xyz(3, 99);
+        CurveSampler(curve).uniform(0, 1, 1, xyz);
+        EXPECT_EQ(Vec3(xyz[0], xyz[1], xyz[2]), pointAt(curve, domain(curve).start));
+    }
+}
+
 }  // namespace
 }  // namespace knotwork::test

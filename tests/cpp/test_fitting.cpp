@@ -405,6 +405,19 @@ TEST(Fitting, WhatCannotBeFittedIsRefusedWithItsReason) {
     EXPECT_EQ(refusal(fitCurve(corner, late)), "ok");
 }
 
+TEST(Fitting, ParametersAreOneAPointAndAscend) {
+    const auto path = [](std::vector<double> parameters, std::size_t points) {
+        const auto error = checkParameters(parameters, points);
+        return error ? error->path : "none";
+    };
+    EXPECT_EQ(path({}, 0), "none");
+    EXPECT_EQ(path({0, 0, 1}, 3), "none");
+    EXPECT_EQ(path({0, 1}, 3), "parameters");
+    EXPECT_EQ(path({0, 2, 1}, 3), "parameters[2]");
+    EXPECT_EQ(path({0, 1, 2e9}, 3), "parameters[2]");
+    EXPECT_EQ(path({0, std::nan(""), 1}, 3), "parameters[1]");
+}
+
 TEST(Fitting, ResidualsAreThoseOfTheCurve) {
     RandomSplines random(62);
     for (const Form form : allForms) {

@@ -171,6 +171,13 @@ TEST(MeshRefusals, AFaceThatRunsAgainstItsNeighbourIsNamedWithTheirEdge) {
     EXPECT_NE(made.error().message.find("and 5 go along"), std::string::npos);
 }
 
+TEST(MeshRefusals, FacesOfDifferentSizesAreNamedRightlyToo) {
+    expectRefusal(meshOf(somePoints(9), {{0, 1, 2, 3, 4}, {4, 5, 6}, {5, 6, 7, 8}, {6, 5, 0, 2}}),
+                  Code::notManifold, "edges[5,6]", "has 3 faces, 1 and 2 among them");
+    expectRefusal(meshOf(somePoints(9), {{0, 1, 2, 3, 4}, {4, 5, 6}, {6, 7, 8, 4}, {7, 1, 2}}),
+                  Code::notManifold, "edges[1,2]", "The faces 0 and 3 go along");
+}
+
 TEST(MeshRefusals, TheSameFaceTwiceIsNoMeshButTheSameTurnedRoundIsAPillow) {
     expectRefusal(meshOf(somePoints(3), {{0, 1, 2}, {1, 2, 0}}), Code::notManifold, "edges[0,2]",
                   "faces 0 and 1");

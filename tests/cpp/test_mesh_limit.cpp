@@ -1,4 +1,5 @@
 #include "geometry/mesh_subdivision.hpp"
+#include "geometry/mesh_fans.hpp"
 #include "support/mesh_gates.hpp"
 #include "support/mesh_zoo.hpp"
 
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -119,6 +121,116 @@ TEST(MeshLimit, IsWhatEightLevelsComeToOnABoundary) {
         for (std::uint32_t k = 2; k <= 3; ++k) {
             expectLimit(test::shaken(test::openFan(k), k), scheme, 8, 4e-2,
                         nameOf(scheme) + ' ' + std::to_string(k));
+        }
+    }
+}
+
+/// Half of a rosette: `blades` triangles around the vertex 0 on the boundary and another ring of
+/// triangles around those, so that the neighbours inside are regular.
+Mesh halfRosette(std::uint32_t blades) {
+    std::vector<Vec3> points{{0.05, -0.1, 0.4}};
+    test::FaceLists faces;
+    for (const double radius : {1.0, 2.0}) {
+        const std::uint32_t around = radius > 1 ? 2 * blades : blades;
+        for (std::uint32_t i = 0; i <= around; ++i) {
+            const double angle = std::numbers::pi * i / around;
+            points.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                0.3 * std::cos(2 * angle) / radius);
+        }
+    }
+    const auto outer = [&](std::uint32_t i) { return blades + 2 + i; };
+    for (std::uint32_t i = 0; i < blades; ++i) {
+        const std::uint32_t a = 1 + i;
+        const std::uint32_t b = 2 + i;
+        faces.insert(faces.end(), {{0, a, b},
+                                   {a, outer(2 * i), outer(2 * i + 1)},
+                                   {a, outer(2 * i + 1), b},
+                                   {b, outer(2 * i + 1), outer(2 * i + 2)}});
+    }
+    return *test::meshOf(std::move(points), faces);
+}
+
+/// The neighbours of the vertex 0 on the boundary, counter-clockwise and seen from it.
+std::vector<Vec3> ringOfVertexZero(const Mesh& mesh) {
+    const CornerWalk walk(mesh.faces(), mesh.cornerEdges(), mesh.edges().size());
+    std::vector<Vec3> ring;
+    const auto add = [&](std::uint32_t to) {
+        ring.push_back(mesh.points()[to] - mesh.points()[0]);
+    };
+    forEachFan(walk, [&](const Fan& fan) {
+        if (fan.vertex != 0) return;
+        for (const std::uint32_t corner : fan.corners) add(walk.neighbour(corner));
+        add(walk.vertex(walk.previous(fan.corners.back())));
+    });
+    return ring;
+}
+
+/// The normal to the boundary's direction and to the ring's first sine. (The normals of the faces
+/// themselves may have none in common: at 7 triangles of Loop's scheme or 5 quads the second sine
+/// shrinks more slowly than the boundary.)
+Vec3 boundaryNormal(const Mesh& mesh) {
+    const std::vector<Vec3> ring = ringOfVertexZero(mesh);
+    const std::size_t k = ring.size() - 1;
+    Vec3 across{0};
+    for (std::size_t j = 1; j < k; ++j) {
+        across += std::sin(std::numbers::pi * static_cast<double>(j) / static_cast<double>(k)) *
+                  ring[j];
+    }
+    return glm::normalize(glm::cross(ring[0] - ring[k], across));
+}
+
+/// Of Butterfly, which interpolates, every boundary ring shrinks by a half; the others have stronger
+/// waves beside the two that stay.
+double boundaryNormalGate(MeshScheme scheme) {
+    switch (scheme) {
+        case MeshScheme::catmullClark: return 1e-3;
+        case MeshScheme::loop: return 2e-3;
+        case MeshScheme::butterfly: return 1e-5;
+        default: return 3e-2;  // three levels of cuts only
+    }
+}
+
+/// The boundary is a cubic B-spline (or interpolates): what is missing of the limit is divided by 4
+/// exactly in every level, or by 9 where the boundary is cut in three, in every second one.
+void expectBoundaryLimit(const Mesh& mesh, MeshScheme scheme, const std::string& what) {
+    const bool inThree = scheme == MeshScheme::sqrt3;
+    const Mesh before = finer(mesh, scheme, inThree ? 4 : 6);
+    const Mesh last = finer(before, scheme, inThree ? 2 : 1);
+    const MeshLimit found = limitOf(mesh, scheme);
+    const double ratio = inThree ? 9 : 4;
+    const Vec3 end = (ratio * last.points()[0] - before.points()[0]) / (ratio - 1);
+    EXPECT_LT(glm::length(found.positions[0] - end), test::gates::limitPosition) << what;
+    const double miss = glm::length(boundaryNormal(last) - found.normals[0]);
+    EXPECT_LT(miss, boundaryNormalGate(scheme)) << what;
+    EXPECT_LT(miss, 0.55 * glm::length(boundaryNormal(before) - found.normals[0]) + 1e-12) << what;
+}
+
+TEST(MeshLimit, IsWhatSevenLevelsComeToOnABoundaryOfManyFaces) {
+    for (const MeshScheme scheme : schemesWithLimits()) {
+        for (std::uint32_t k = 2; k <= 12; ++k) {
+            const std::string what = nameOf(scheme) + ' ' + std::to_string(k);
+            expectBoundaryLimit(test::shaken(test::openFan(k), k), scheme, what + " alone");
+            if (k % 3 != 1) continue;
+            expectBoundaryLimit(test::shaken(halfRosette(k), k), scheme, what + " within");
+        }
+    }
+}
+
+TEST(MeshLimit, OfEveryVertexOnABoundaryIsWhatTwoLevelsPointAt) {
+    for (const MeshScheme scheme : schemesWithLimits()) {
+        for (const auto& [name, mesh] : test::zooFor(scheme)) {
+            const bool inThree = scheme == MeshScheme::sqrt3;
+            const Mesh first = finer(mesh, scheme, inThree ? 2 : 1);
+            const Mesh second = finer(first, scheme, inThree ? 2 : 1);
+            const MeshLimit found = limitOf(mesh, scheme);
+            const double ratio = inThree ? 9 : 4;
+            const std::vector<Around> around = aroundVertices(mesh);
+            for (std::size_t v = 0; v < around.size(); ++v) {
+                if (around[v].openFans == 0) continue;
+                const Vec3 end = (ratio * second.points()[v] - first.points()[v]) / (ratio - 1);
+                EXPECT_LT(glm::length(found.positions[v] - end), test::gates::limitPosition)
+                    << name << ' ' << nameOf(scheme) << ' ' << v;
+            }
         }
     }
 }

@@ -37,6 +37,23 @@ TEST(SurfaceGrid, HasThePointsAndNormalsOfSplinesOfEveryFormAndDegree) {
     }
 }
 
+TEST(SurfaceGrid, ThatIsMovedIsTheGridOfItsSurface) {
+    const Surface torus = model("torus");
+    const auto read = [](SurfaceGrid& grid) {
+        std::vector<double> positions(3 * 20, 99);
+        std::vector<double> normals(3 * 20, 99);
+        grid.points(0, 20, positions, normals);
+        return positions;
+    };
+    SurfaceGrid grid(torus, 4, 5);
+    const auto expected = read(grid);
+    SurfaceGrid moved = std::move(grid);
+    EXPECT_EQ(read(moved), expected);
+    SurfaceGrid other(model("plane"), 2, 3);
+    other = std::move(moved);
+    EXPECT_EQ(read(other), expected);
+}
+
 TEST(SurfaceGrid, AFewPointsOfAManyPointedNetAreTheSame) {
     expectGrid(someSurface({3, 3, Form::clamped, Form::open, 20, 20}), 3, 4, "few points");
 }

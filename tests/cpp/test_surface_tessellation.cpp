@@ -103,6 +103,18 @@ TEST(SurfaceTessellation, APlaneIsTwoTriangles) {
     EXPECT_EQ(trianglesWithin(model("plane"), 1e-9)->triangles.size(), 6u);
 }
 
+TEST(SurfaceTessellation, OfAPrismIsCutAtItsEdges) {
+    const Surface prism =
+        BsplineSurface::make(KnotVector::uniform(1, 3, Form::closed).value(),
+                             KnotVector::uniform(1, 2, Form::clamped).value(),
+                             {{1, 0, 0}, {1, 0, 2}, {0, 1, 0}, {0, 1, 2}, {-1, -1, 0}, {-1, -1, 2}})
+            .value();
+    const auto triangles = trianglesWithin(prism, 1e-9);
+    ASSERT_TRUE(triangles.ok());
+    EXPECT_LE(farthest(prism, *triangles), 1e-14);
+    EXPECT_LE(triangles->triangles.size(), 3 * 64u);
+}
+
 TEST(SurfaceTessellation, TakesAsManyTrianglesAsTheToleranceAsksFor) {
     const Surface torus = model("torus");
     const auto coarse = trianglesWithin(torus, 0.01)->triangles.size();
