@@ -330,7 +330,7 @@ export class SubdivisionCurve extends Curve {
 /** In the order of Curve::Kind. */
 const kinds = [
     BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve, ArcCurve, LocalCurve, SubdivisionCurve,
-    FormulaCurve,
+    FormulaCurve, Curve,
 ];
 
 /**

@@ -781,18 +781,44 @@ export interface TraceFrame {
 // Scenes
 
 export interface SceneView {
-    mode?: '2d';
+    mode?: '2d' | '3d';
     panes?: readonly ('curve' | 'basis' | 'knots' | 'bFunction')[];
-    camera?: { center?: Point; height?: number };
+    /** Without a centre and a height all is fitted; the angles, in radians, are those of a 3D view. */
+    camera?: { center?: Point; height?: number; azimuth?: number; elevation?: number };
 }
 
-export type SceneObject = CurveSpec & {
+export interface SubdivisionSurfaceSpec {
+    type: 'subdivision-surface';
+    /** Default Catmull–Clark. */
+    scheme?: MeshScheme;
+    /** Default 2. */
+    levels?: number;
+    mesh: MeshSpec;
+}
+
+export interface PointCloudSpec {
+    type: 'point-cloud';
+    points: readonly Point[] | Float64Array;
+    /** The B-spline curve that comes closest to the points, if one is wanted. */
+    fit?: {
+        degree: number;
+        count: number;
+        form?: Form;
+        parameters?: 'chord' | 'centripetal' | 'uniform';
+        interpolateEnds?: boolean;
+        smoothing?: number;
+    };
+}
+
+export type Shown =
+    | 'curve' | 'surface' | 'isolines' | 'wireframe' | 'polygon' | 'points' | 'knots' | 'locals' | 'handles'
+    | 'basis' | 'bFunction' | 'comb' | 'hodograph' | 'osculating' | 'hull' | 'frames' | 'sphere' | 'residuals'
+    | 'labels';
+
+export type SceneObject = (CurveSpec | SurfaceSpec | SubdivisionSurfaceSpec | PointCloudSpec) & {
     id?: string;
     style?: { colour?: string; width?: number };
-    show?: Partial<Record<
-        'curve' | 'polygon' | 'points' | 'knots' | 'locals' | 'handles' | 'basis' | 'bFunction',
-        boolean
-    >>;
+    show?: Partial<Record<Shown, boolean>>;
 };
 
 /** Pure functions of phase: at 0 and 1 everything stands where it began, exactly. */
@@ -804,9 +830,13 @@ export type Effect = {
     /** There and back; default trigonometric. */
     easing?: BFunctionSpec;
 } & (
-    | { kind: 'translate'; by?: Point }
-    | { kind: 'rotate'; axis?: Point; angle?: number }
+    /** Of the whole object, or of one local: j of a blending curve, [i, j] of a blending surface. */
+    | { kind: 'translate'; by?: Point; local?: number | [number, number] }
+    | { kind: 'rotate'; axis?: Point; angle?: number; center?: Point; local?: number | [number, number] }
+    | { kind: 'scale'; factor?: number | Point; center?: Point; local?: number | [number, number] }
     | { kind: 'simulate'; translate?: Point; rotate?: { axis?: Point; angle?: number }; seed?: number }
+    /** To another curve; of a blending curve each local goes its own way and keeps its pose. */
+    | { kind: 'morph'; to?: CurveSpec }
     | { kind: 'colour'; to?: string }
 );
 

@@ -244,4 +244,12 @@ BlendingCurve BlendingCurve::withPoses(std::span<const Pose> poses) const {
     return moved;
 }
 
+BlendingCurve BlendingCurve::withLocals(std::vector<LocalCurve> locals) const {
+    BlendingCurve other = *this;
+    for (LocalCurve& local : locals) local = local.withBreaks();
+    other.setLocals(std::move(locals));
+    other.findBreaks();
+    return other;
+}
+
 }  // namespace knotwork

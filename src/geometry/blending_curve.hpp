@@ -72,6 +72,8 @@ public:
     }
 
     [[nodiscard]] BlendingCurve withPoses(std::span<const Pose> poses) const;
+    /// The blend of as many other local curves at the same knots.
+    [[nodiscard]] BlendingCurve withLocals(std::vector<LocalCurve> locals) const;
 
     using Span = BlendingSpan;
     /// Where t falls.

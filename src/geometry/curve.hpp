@@ -13,6 +13,7 @@
 #include "geometry/interval.hpp"
 #include "geometry/line_curve.hpp"
 #include "geometry/local_curve.hpp"
+#include "geometry/morph_curve.hpp"
 #include "geometry/parametric_curve.hpp"
 #include "geometry/subdivision_curve.hpp"
 #include "geometry/vec.hpp"
@@ -29,7 +30,8 @@ namespace knotwork {
 class Curve {
 public:
     using Kind = std::variant<BsplineCurve, ParametricCurve, BlendingCurve, BezierCurve, LineCurve,
-                              ArcCurve, LocalCurve, SubdivisionCurve, FormulaCurve>;
+                              ArcCurve, LocalCurve, SubdivisionCurve, FormulaCurve,
+                              MorphCurve>;
 
     /// Of any of the kinds.
     template <class T>

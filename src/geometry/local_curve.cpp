@@ -56,6 +56,11 @@ LocalCurve LocalCurve::withPose(const Pose& pose) const {
     return posed;
 }
 
+LocalCurve LocalCurve::withSource(std::shared_ptr<const Curve> source, double knot) const {
+    return {std::move(source), rate_, shift_, knot,
+            knot == domain_.end ? Side::left : Side::right, pose_, domain_};
+}
+
 bool LocalCurve::planar() const noexcept {
     return knotwork::dimension(*source_) == 2 && (pose_.isIdentity() || pose_.keepsPlane());
 }

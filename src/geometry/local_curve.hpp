@@ -50,6 +50,8 @@ public:
     /// Where the local stands before it is posed, the pivot of scale and rotation.
     [[nodiscard]] const Vec3& origin() const noexcept { return origin_; }
     [[nodiscard]] LocalCurve withPose(const Pose& pose) const;
+    /// Another source over the same parameter; the pose is then about its point at the knot.
+    [[nodiscard]] LocalCurve withSource(std::shared_ptr<const Curve> source, double knot) const;
     [[nodiscard]] bool planar() const noexcept;
 
 private:

@@ -1,8 +1,6 @@
 #include "scene/document.hpp"
 
-#include "scene/json_values.hpp"
 #include "scene/object_builders.hpp"
-#include "scene/specs.hpp"
 #include "scene/validation.hpp"
 
 #include <algorithm>
@@ -95,62 +93,6 @@ Result<Done> checkVersion(const Json& document) {
     return Done{};
 }
 
-EffectKind effectKindOf(std::string_view kind) noexcept {
-    if (kind == "rotate") return EffectKind::rotate;
-    if (kind == "simulate") return EffectKind::simulate;
-    return kind == "colour" ? EffectKind::colour : EffectKind::translate;
-}
-
-/// Fills in what the canonical specification says for the effect's own kind.
-Result<Done> fillEffect(Effect& effect) {
-    const Json& spec = effect.spec;
-    effect.kind = effectKindOf(stringOr(spec, "kind", ""));
-    effect.target = stringOr(spec, "target", "");
-    effect.period = numberOr(spec, "period", 10);
-    const auto easing = makeBFunction(*member(spec, "easing"));
-    if (!easing) return easing.error().under("easing");
-    effect.easing = easing->value;
-    const bool simulate = effect.kind == EffectKind::simulate;
-    if (const Json* by = member(spec, simulate ? "translate" : "by")) effect.translate = vec3Of(*by);
-    const Json* turn = simulate ? member(spec, "rotate") : &spec;
-    if (const Json* axis = member(*turn, "axis")) effect.axis = vec3Of(*axis);
-    effect.angle = numberOr(*turn, "angle", 0);
-    effect.seed = numberOr(spec, "seed", 1);
-    if (const Json* to = member(spec, "to")) effect.to = *parseColour(to->get<std::string>());
-    if (effect.angle != 0 && !(glm::length(effect.axis) > 0)) {
-        return refuse(Code::outOfRange, simulate ? "rotate.axis" : "axis",
-                      "The axis has length zero and names no direction; give for example "
-                      "[0, 0, 1].");
-    }
-    return Done{};
-}
-
-Result<Json> canonicalEffect(const Json& given) {
-    if (!given.is_object()) {
-        return refuse(Code::wrongType, "", "Expected an effect, got " + describeValue(given) + ".");
-    }
-    std::string kinds;
-    for (const EffectType& type : effectTypes()) {
-        kinds += (kinds.empty() ? "" : ", ") + std::string(type.kind);
-    }
-    const Json* kind = member(given, "kind");
-    if (kind == nullptr || !kind->is_string()) {
-        return refuse(Code::wrongType, "kind", "An effect needs its kind, one of " + kinds + ".");
-    }
-    const EffectType* type = findEffectType(kind->get_ref<const std::string&>());
-    if (type == nullptr) {
-        return refuse(Code::unknownName, "kind",
-                      describeValue(*kind) + " is no effect; choose one of " + kinds + ".");
-    }
-    Json fields = given;
-    fields.erase("kind");
-    auto read = readGroup(fields, type->fields);
-    if (!read) return read.error();
-    Json canonical{{"target", *member(*read, "target")}, {"kind", *kind}};
-    for (const auto& item : read->items()) canonical[item.key()] = item.value();
-    return canonical;
-}
-
 }  // namespace
 
 std::string freshId(std::span<const std::shared_ptr<const Object>> objects) {
@@ -178,28 +120,6 @@ Result<std::shared_ptr<const Object>> readObject(const Json& spec) {
     const Show show = showOf(made->spec);
     return std::make_shared<const Object>(Object{std::move(made->spec), std::move(id), style, show,
                                                  std::move(made->value)});
-}
-
-Result<std::shared_ptr<const Effect>> readEffect(
-    const Json& spec, std::span<const std::shared_ptr<const Object>> objects) {
-    auto canonical = canonicalEffect(spec);
-    if (!canonical) return canonical.error();
-    Effect effect;
-    effect.spec = std::move(*canonical);
-    if (const auto filled = fillEffect(effect); !filled) return filled.error();
-    const auto target = std::find_if(objects.begin(), objects.end(), [&](const auto& object) {
-        return object->id == effect.target;
-    });
-    if (target == objects.end()) {
-        return refuse(Code::unknownName, "target",
-                      "There is no object \"" + effect.target + "\" in the scene.");
-    }
-    if (effect.kind == EffectKind::simulate && (*target)->body.as<BlendingCurve>() == nullptr) {
-        return refuse(Code::notSupported, "kind",
-                      "\"simulate\" moves the local curves of a blending curve; \"" +
-                          effect.target + "\" has none.");
-    }
-    return std::make_shared<const Effect>(std::move(effect));
 }
 
 Result<State> readDocument(const Json& document) {

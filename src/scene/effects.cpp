@@ -26,56 +26,108 @@ private:
     std::uint64_t state_;
 };
 
-/// `pose` with a further turn and move, the turn about its own axis.
-Pose moved(const Pose& pose, const Vec3& by, const Vec3& axis, double angle) {
+/// How far an effect has gone with one local curve or patch.
+struct Step {
+    Vec3 by{0.0};
+    Vec3 axis{0.0, 0.0, 1.0};
+    double angle = 0;
+    Vec3 factor{1.0};
+};
+
+/// `pose` with a further step, its turn and scaling about the local's own origin.
+Pose moved(const Pose& pose, const Step& step) {
     Pose next = pose;
-    next.translate += by;
-    if (angle == 0) return next;
+    next.translate += step.by;
+    next.scale *= step.factor;
+    if (step.angle == 0) return next;
     if (pose.angle == 0) {
-        next.axis = axis;
-        next.angle = angle;
+        next.axis = step.axis;
+        next.angle = step.angle;
         return next;
     }
     // Two turns about different axes make one: read axis and angle off the product matrix.
-    const Mat3 turn = rotation(axis, angle) * rotation(pose.axis, pose.angle);
+    const Mat3 turn = rotation(step.axis, step.angle) * rotation(pose.axis, pose.angle);
     const Vec3 twice(turn[1][2] - turn[2][1], turn[2][0] - turn[0][2], turn[0][1] - turn[1][0]);
     const double trace = turn[0][0] + turn[1][1] + turn[2][2];
     const double sine = glm::length(twice) / 2;
     next.angle = std::atan2(sine, (trace - 1) / 2);
-    next.axis = sine > 0 ? twice : axis;
+    next.axis = sine > 0 ? twice : step.axis;
     return next;
 }
 
-/// Every local curve by its own translation and rotation, `weight` of the way.
-Body simulated(const Body& body, const Effect& effect, double weight) {
-    const auto& blend = *body.as<BlendingCurve>();
+std::vector<Pose> posesOf(const Body& body) {
     std::vector<Pose> poses;
-    poses.reserve(blend.locals().size());
+    if (const auto* blend = body.as<BlendingCurve>()) {
+        for (const LocalCurve& local : blend->locals()) poses.push_back(local.pose());
+    } else if (const auto* surface = body.as<BlendingSurface>()) {
+        for (std::size_t i = 0; i < surface->alongU().count; ++i) {
+            for (std::size_t j = 0; j < surface->alongV().count; ++j) {
+                poses.push_back(surface->place(i, j).pose());
+            }
+        }
+    }
+    return poses;
+}
+
+Body withPoses(const Body& body, std::span<const Pose> poses) {
+    if (const auto* blend = body.as<BlendingCurve>()) return Curve(blend->withPoses(poses));
+    return Surface(body.as<BlendingSurface>()->withPoses(poses));
+}
+
+/// Every local by its own translation and rotation, `weight` of the way.
+Body simulated(const Body& body, const Effect& effect, double weight) {
+    std::vector<Pose> poses = posesOf(body);
     Random random(effect.seed);
-    for (const LocalCurve& local : blend.locals()) {
+    for (Pose& pose : poses) {
         const Vec3 share(random.next(), random.next(), random.next());
         const double angle = random.next() * effect.angle;
-        poses.push_back(moved(local.pose(), weight * share * effect.translate, effect.axis,
-                              weight * angle));
+        pose = moved(pose, {weight * share * effect.translate, effect.axis, weight * angle});
     }
-    return Curve(blend.withPoses(poses));
+    return withPoses(body, poses);
+}
+
+/// `map` about another point than the origin.
+Affine about(const Vec3& center, const Mat3& map) { return {map, center - map * center}; }
+
+Mat3 scaling(const Vec3& factors) {
+    Mat3 map(1.0);
+    for (int k = 0; k < 3; ++k) map[k][k] = factors[k];
+    return map;
+}
+
+/// A translation, a turn or a scaling of the whole object or of one local.
+void move(const Effect& effect, double weight, Placed& placed) {
+    const Step step{weight * effect.translate, effect.axis, weight * effect.angle,
+                    Vec3(1.0) + weight * (effect.factor - Vec3(1.0))};
+    if (effect.local) {
+        std::vector<Pose> poses = posesOf(placed.body);
+        poses[*effect.local] = moved(poses[*effect.local], step);
+        placed.body = withPoses(placed.body, poses);
+        return;
+    }
+    const Mat3 map = effect.kind == EffectKind::scale ? scaling(step.factor)
+                                                      : rotation(step.axis, step.angle);
+    if (effect.kind == EffectKind::translate) {
+        placed.placement.offset += step.by;
+    } else {
+        placed.placement = compose(about(effect.center, map), placed.placement);
+    }
 }
 
 void apply(const Effect& effect, double weight, Placed& placed) {
     switch (effect.kind) {
         case EffectKind::translate:
-            placed.placement.offset += weight * effect.translate;
-            break;
         case EffectKind::rotate:
-            placed.placement =
-                compose({rotation(effect.axis, weight * effect.angle), Vec3(0.0)}, placed.placement);
-            break;
+        case EffectKind::scale: return move(effect, weight, placed);
         case EffectKind::simulate:
             placed.body = simulated(placed.body, effect, weight);
-            break;
+            return;
+        case EffectKind::morph:
+            placed.body = morphed(*placed.body.curve(), *effect.curve, weight);
+            return;
         case EffectKind::colour:
             placed.colour = mixColours(placed.colour, effect.to, weight);
-            break;
+            return;
     }
 }
 

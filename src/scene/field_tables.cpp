@@ -1,10 +1,9 @@
-// The tables of documents, effects and B-functions; those of objects stand in object_fields.cpp,
-// curve_fields.cpp and surface_fields.cpp.
+// The tables of documents and B-functions; those of objects stand in object_fields.cpp,
+// curve_fields.cpp and surface_fields.cpp, those of effects in effect_fields.cpp.
 #include "geometry/b_function.hpp"
 #include "geometry/parametric_curve.hpp"
 #include "scene/fields.hpp"
 #include "scene/parameter_fields.hpp"
-#include "scene/rotation_fields.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,52 +46,6 @@ constexpr std::array headerTable{
           .help = "What there is to see.", .defaultJson = "\"\""},
     Field{.name = "view", .label = "View", .kind = FieldKind::group, .help = "How it is shown.",
           .defaultJson = "{}", .fields = viewFields},
-};
-
-constexpr Field targetField{.name = "target", .label = "Object", .kind = FieldKind::text,
-                            .help = "The id of the object that moves.", .required = true};
-constexpr Field periodField{.name = "period", .label = "Period", .kind = FieldKind::number,
-                            .help = "Seconds until everything stands where it began.", .min = 0,
-                            .max = 86'400, .minOpen = true, .defaultJson = "10"};
-constexpr Field easingField{.name = "easing", .label = "Easing", .kind = FieldKind::bFunction,
-                            .help = "The B-function by which it goes there and comes back.",
-                            .defaultJson = "{\"family\":\"trigonometric\"}"};
-
-constexpr std::array translateFields{
-    targetField,
-    Field{.name = "by", .label = "By", .kind = FieldKind::point, .help = "How far it moves.",
-          .defaultJson = "[1,0,0]"},
-    periodField, easingField};
-constexpr std::array turnFields{
-    targetField,
-    Field{.name = "axis", .label = "Axis", .kind = FieldKind::point,
-          .help = "Axis of rotation, through the origin.", .defaultJson = "[0,0,1]"},
-    Field{.name = "angle", .label = "Angle", .kind = FieldKind::number, .help = "Radians.",
-          .min = -1000, .max = 1000, .defaultJson = "1"},
-    periodField, easingField};
-constexpr std::array simulateFields{
-    targetField,
-    Field{.name = "translate", .label = "Move", .kind = FieldKind::point,
-          .help = "How far a local curve moves at most along each axis.",
-          .defaultJson = "[0.5,0.5,0]"},
-    Field{.name = "rotate", .label = "Turn", .kind = FieldKind::group,
-          .help = "How far a local curve turns at most.", .defaultJson = "{}",
-          .fields = rotateFields},
-    Field{.name = "seed", .label = "Seed", .kind = FieldKind::integer,
-          .help = "Another number, another dance.", .min = 0, .max = 4294967295.0,
-          .defaultJson = "1"},
-    periodField, easingField};
-constexpr std::array colourFields{
-    targetField,
-    Field{.name = "to", .label = "To", .kind = FieldKind::colour, .help = "The other colour.",
-          .defaultJson = "\"#d69e2e\""},
-    periodField, easingField};
-
-constexpr std::array effects{
-    EffectType{"translate", "Move", translateFields},
-    EffectType{"rotate", "Turn", turnFields},
-    EffectType{"simulate", "Simulate", simulateFields},
-    EffectType{"colour", "Colour", colourFields},
 };
 
 Field fieldOf(const OperandDescription& operand) {
@@ -143,12 +96,5 @@ std::vector<Choice> parametricCurveChoices() {
 }
 
 std::span<const Field> headerFields() noexcept { return headerTable; }
-std::span<const EffectType> effectTypes() noexcept { return effects; }
-
-const EffectType* findEffectType(std::string_view kind) noexcept {
-    const auto found = std::find_if(effects.begin(), effects.end(),
-                                    [&](const EffectType& e) { return e.kind == kind; });
-    return found == effects.end() ? nullptr : &*found;
-}
 
 }  // namespace knotwork::scene

@@ -47,6 +47,7 @@ enum class FieldKind {
     surface,     ///< nested surface specification
     surfaceName,        ///< name of a parametric surface
     surfaceParameters,  ///< named parameters of a parametric surface
+    local,       ///< the index of a local curve, or [i, j] of a local patch
     mesh,        ///< { solid }, { vertices, faces } or { obj }, checked where it is made
 };
 

@@ -10,7 +10,7 @@ namespace knotwork::scene {
 
 namespace {
 
-constexpr std::array<std::pair<FieldKind, std::string_view>, 28> kindNames{{
+constexpr std::array<std::pair<FieldKind, std::string_view>, 29> kindNames{{
     {FieldKind::number, "number"},
     {FieldKind::integer, "integer"},
     {FieldKind::flag, "flag"},
@@ -38,6 +38,7 @@ constexpr std::array<std::pair<FieldKind, std::string_view>, 28> kindNames{{
     {FieldKind::surface, "surface"},
     {FieldKind::surfaceName, "choice"},
     {FieldKind::surfaceParameters, "parameters"},
+    {FieldKind::local, "local"},
     {FieldKind::mesh, "mesh"},
 }};
 

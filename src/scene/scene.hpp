@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -53,7 +54,7 @@ struct Object {
     Body body;
 };
 
-enum class EffectKind { translate, rotate, simulate, colour };
+enum class EffectKind { translate, rotate, scale, simulate, morph, colour };
 
 struct Effect {
     Json spec;
@@ -61,10 +62,15 @@ struct Effect {
     std::string target;
     double period = 10;
     BFunction easing;
+    /// Of the one local curve or patch (row by row) that moves; none: the whole object.
+    std::optional<std::size_t> local;
     Vec3 translate{0.0};
     Vec3 axis{0.0, 0.0, 1.0};
     double angle = 0;
+    Vec3 factor{1.0};
+    Vec3 center{0.0};  ///< of the turn or scaling of the whole object
     double seed = 0;
+    std::optional<Curve> curve;  ///< of a morph
     Colour to;
 };
 

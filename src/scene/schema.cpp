@@ -73,6 +73,10 @@ Json kindSchema(const Field& field) {
         case FieldKind::surface: return reference("surface");
         case FieldKind::surfaceName: return names(parametricSurfaceChoices());
         case FieldKind::surfaceParameters: return {{"type", "object"}};
+        case FieldKind::local: {
+            const Json index{{"type", "integer"}, {"minimum", 0}};
+            return {{"anyOf", {index, pairOf(index)}}};
+        }
         case FieldKind::mesh: return reference("mesh");
     }
     return Json::object();

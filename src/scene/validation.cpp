@@ -179,6 +179,20 @@ Result<Json> readSurfaceParameters(const Json& given, const Json& parent) {
     return readGroup(given, fields ? std::span<const Field>(*fields) : std::span<const Field>());
 }
 
+/// j of a local curve, [i, j] of a local patch.
+Result<Json> readLocalIndex(const Json& given) {
+    constexpr Field index{.kind = FieldKind::integer, .min = 0, .max = 9999};
+    if (!given.is_array()) return readNumber(given, index);
+    const auto pair = readTuple(given, 2, 2, "the index of a local curve, or [i, j] of a patch");
+    if (!pair) return pair.error();
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        if (const auto read = readNumber(given[i], index); !read) {
+            return read.error().under("[" + std::to_string(i) + "]");
+        }
+    }
+    return given;
+}
+
 Result<Json> readField(const Json& given, const Field& field, const Json& parent);
 
 /// A list of what the field's only element describes.
@@ -235,6 +249,7 @@ Result<Json> readField(const Json& given, const Field& field, const Json& parent
         case FieldKind::surface: return readSurface(given);
         case FieldKind::surfaceName: return readName(given, parametricSurfaceChoices());
         case FieldKind::surfaceParameters: return readSurfaceParameters(given, parent);
+        case FieldKind::local: return readLocalIndex(given);
         case FieldKind::mesh:
             return given.is_object() ? Result<Json>(given) : wrongType("a mesh", given);
     }

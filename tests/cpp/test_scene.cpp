@@ -1,7 +1,6 @@
 #include "scene/scene.hpp"
 
 #include "scene/builtin.hpp"
-#include "scene/effects.hpp"
 #include "scene/fields.hpp"
 #include "support/json_text.hpp"
 #include "support/scene_commands.hpp"
@@ -274,57 +273,6 @@ TEST(Commands, BadOnesAreRefusedAndChangeNothing) {
     expectRefused(scene, R"({"set": "objects[0].degree", "value": 3, "gesture": 4})",
                   Code::wrongType, "gesture");
     EXPECT_FALSE(scene.canUndo());
-}
-
-TEST(Effects, AtPhaseZeroAndOneEverythingStandsWhereItBeganToTheBit) {
-    const Scene scene = twoScene();
-    const auto rest = place(scene.state(), {});
-    for (const double phase : {0.0, 1.0}) {
-        const auto placed = place(scene.state(), {.phase = phase, .time = {}});
-        for (std::size_t i = 0; i < placed.size(); ++i) {
-            EXPECT_EQ(placed[i].placement, Affine{});
-            EXPECT_EQ(placed[i].colour, rest[i].colour);
-            for (double t = 0; t < 4; t += 0.3) {
-                EXPECT_EQ(pointAt(*placed[i].body.curve(), t), pointAt(*rest[i].body.curve(), t));
-            }
-        }
-    }
-    const auto half = place(scene.state(), {.phase = 0.5, .time = {}});
-    EXPECT_GT(glm::length(pointAt(*half[1].body.curve(), 0) - pointAt(*rest[1].body.curve(), 0)), 1e-3);
-    EXPECT_NEAR(half[0].colour.red, 1, 1e-12);
-}
-
-TEST(Effects, ADayOfTimeLeavesNoDrift) {
-    const Scene scene = twoScene();
-    const auto now = place(scene.state(), {.phase = {}, .time = 1.25});
-    const auto later = place(scene.state(), {.phase = {}, .time = 1.25 + 86'400});
-    EXPECT_LE(glm::length(pointAt(*now[1].body.curve(), 1) - pointAt(*later[1].body.curve(), 1)), 1e-9);
-    EXPECT_EQ(phaseAt(-1e-30, 10), 0);
-    EXPECT_NEAR(phaseAt(-2.5, 10), 0.75, 1e-15);
-}
-
-TEST(Effects, GoThereAndComeBackTheSameWay) {
-    const auto easing = BFunction::makeTrigonometric().value();
-    EXPECT_EQ(effectWeight(easing, 0), 0);
-    EXPECT_EQ(effectWeight(easing, 0.5), 1);
-    EXPECT_EQ(effectWeight(easing, 1), 0);
-    EXPECT_NEAR(effectWeight(easing, 0.2), effectWeight(easing, 0.8), 1e-15);
-}
-
-TEST(Effects, SimulatingTurnsAPosedLocalFurther) {
-    // Two turns about different axes become one: compare with the product of the rotations.
-    Scene scene = twoScene();
-    expectDone(scene, R"({"set": "effects[0].rotate", "value": {"axis": [1, 2, 0], "angle": 1.5}})");
-    expectDone(scene, R"({"pose": {"object": "blend", "local": 0,
-                          "rotate": {"axis": [0, 1, 1], "angle": 0.7}}})");
-    const auto rest = place(scene.state(), {});
-    const auto half = place(scene.state(), {.phase = 0.5, .time = {}});
-    const auto& before = rest[1].body.as<BlendingCurve>()->locals()[0];
-    const auto& after = half[1].body.as<BlendingCurve>()->locals()[0];
-    const Mat3 extra = after.placement().linear * glm::inverse(before.placement().linear);
-    const Vec3 axis = glm::normalize(Vec3(1, 2, 0));
-    EXPECT_LE(glm::length(extra * axis - axis), 1e-14);
-    EXPECT_GT(glm::length(extra * Vec3(0, 0, 1) - Vec3(0, 0, 1)), 1e-3);
 }
 
 TEST(Colours, MixThroughOklchWithExactEnds) {

@@ -144,8 +144,17 @@ inline std::vector<Animal> segments() {
     return {{"rational Bézier curve", Curve(std::move(bezier).value())}};
 }
 
+/// On the way from one kind of curve to another.
+inline std::vector<Animal> morphs() {
+    const Curve rose(make("rose"));
+    return {{"circle on its way to a rose", morphed(rationalCircle(), rose, 0.4)},
+            {"spline on its way to a helix",
+             morphed(spline(3, Form::clamped, {}, sShape()), Curve(make("helix")), 0.2)}};
+}
+
 inline std::vector<Animal> zoo() {
     std::vector<Animal> all = models();
+    for (auto& animal : morphs()) all.push_back(std::move(animal));
     for (auto& animal : splines()) all.push_back(std::move(animal));
     for (auto& animal : blends()) all.push_back(std::move(animal));
     for (auto& animal : segments()) all.push_back(std::move(animal));
