@@ -40,27 +40,23 @@ void storePair(double* to, const Pair<Components>& sum) noexcept {
     }
 }
 
-// Horner's rule. Two pairs at a time hide the latency of the chain of products. Fixed is the degree
-// where it is known to the compiler, else 0.
-template <std::size_t Components, std::size_t Fixed>
-void hornerPairs(const double* c, std::size_t degree, Double2 u0, Double2 u1, double* xyz) noexcept {
+// Horner's rule in lanes that stand as they are written: x0 y0, z0 x1 and y1 z1, so that nothing is
+// shuffled. Term k is x y z x y z at c + 6k. Two pairs at a time hide the latency of the chain of
+// products. Fixed is the degree where it is known to the compiler, else 0.
+template <std::size_t Fixed>
+void hornerFour(const double* c, std::size_t degree, const double* u, double* xyz) noexcept {
     const std::size_t d = Fixed > 0 ? Fixed : degree;
-    Pair<Components> sum0 = loadTerm<Components>(c + d * Components);
-    Pair<Components> sum1 = sum0;
+    const std::array<Double2, 6> at{simd::loadSplat(u),     simd::load(u),
+                                    simd::loadSplat(u + 1), simd::loadSplat(u + 2),
+                                    simd::load(u + 2),      simd::loadSplat(u + 3)};
+    std::array<Double2, 6> sums;
+    for (std::size_t i = 0; i < 6; ++i) sums[i] = simd::load(c + 6 * d + 2 * (i % 3));
     for (std::size_t k = d; k-- > 0;) {
-        const Pair<Components> term = loadTerm<Components>(c + k * Components);
-        for (std::size_t i = 0; i < Components; ++i) {
-            sum0.axes[i] = sum0.axes[i] * u0 + term.axes[i];
-            sum1.axes[i] = sum1.axes[i] * u1 + term.axes[i];
+        for (std::size_t i = 0; i < 6; ++i) {
+            sums[i] = sums[i] * at[i] + simd::load(c + 6 * k + 2 * (i % 3));
         }
     }
-    storePair(xyz, sum0);
-    storePair(xyz + 6, sum1);
-}
-
-template <std::size_t Components, std::size_t Fixed>
-void hornerFour(const double* c, std::size_t degree, const double* u, double* xyz) noexcept {
-    hornerPairs<Components, Fixed>(c, degree, simd::load(u), simd::load(u + 2), xyz);
+    for (std::size_t i = 0; i < 6; ++i) simd::store(xyz + 2 * i, sums[i]);
 }
 
 // sum binomial b_k u^k (1-u)^(d-k) by one pass of Horner's rule in both: no cancellation on [0, 1].
@@ -98,25 +94,25 @@ void inFours(const Kernel& kernel, const double* us, std::size_t count, double* 
     std::copy_n(last.data(), 3 * (count - i), xyz + 3 * i);
 }
 
-template <std::size_t Components, std::size_t Fixed>
+template <std::size_t Fixed>
 void hornerBlock(const double* c, std::size_t degree, const double* us, std::size_t count,
                  double* xyz) noexcept {
-    inFours([=](const double* u, double* to) { hornerFour<Components, Fixed>(c, degree, u, to); },
-            us, count, xyz);
+    inFours([=](const double* u, double* to) { hornerFour<Fixed>(c, degree, u, to); }, us, count,
+            xyz);
 }
 
-template <std::size_t Components>
-void powerBlock(const double* c, std::size_t degree, const double* us, std::size_t count,
-                double* xyz) noexcept {
+/// Of terms as hornerFour() reads them.
+inline void powerBlock(const double* c, std::size_t degree, const double* us, std::size_t count,
+                       double* xyz) noexcept {
     switch (degree) {
         case 1:
-            return hornerBlock<Components, 1>(c, degree, us, count, xyz);
+            return hornerBlock<1>(c, degree, us, count, xyz);
         case 2:
-            return hornerBlock<Components, 2>(c, degree, us, count, xyz);
+            return hornerBlock<2>(c, degree, us, count, xyz);
         case 3:
-            return hornerBlock<Components, 3>(c, degree, us, count, xyz);
+            return hornerBlock<3>(c, degree, us, count, xyz);
         default:
-            return hornerBlock<Components, 0>(c, degree, us, count, xyz);
+            return hornerBlock<0>(c, degree, us, count, xyz);
     }
 }
 
