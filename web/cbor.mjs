@@ -15,6 +15,8 @@ const openMap = 0xbf;
 const closeMap = 0xff;
 const simple = { false: 0xf4, true: 0xf5, null: 0xf6 };
 const double = 0xfb;
+/** The tag that says nothing: as many as it takes for long numbers to stand where numbers do in memory. */
+const emptyTag = [0xd9, 0xd9, 0xf7];
 /** Before a byte: how many numbers each point has whose numbers follow (a tag of RFC 8746's kind). */
 const rowsOf = [0xd8, 40];
 
@@ -205,8 +207,10 @@ export class Encoder {
     /** @param {Float64Array} numbers */
     #numbers(numbers) {
         const length = lengthOfNumbers(numbers);
+        const long = littleEndian && 8 * length >= longBytes;
+        if (long) this.#pad();
         this.#head(majorBytes, 8 * length);
-        if (littleEndian && 8 * length >= longBytes) {
+        if (long) {
             this.#insets.push({ at: this.#length, numbers, size: 8 * length });
             this.#insetBytes += 8 * length;
             return this.#reserve(0);
@@ -219,6 +223,13 @@ export class Encoder {
         }
         for (let i = 0; i < length; ++i, this.#length += 8) {
             this.#view.setFloat64(this.#length, numbers[i], true);
+        }
+    }
+
+    /** So that the numbers after the next head begin at a multiple of eight bytes. */
+    #pad() {
+        while ((this.#length + this.#insetBytes + headSize(longBytes)) % 8 !== 0) {
+            for (const byte of emptyTag) this.#byte(byte);
         }
     }
 

@@ -2,6 +2,9 @@
 
 #include "bindings/marshal.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace knotwork::bindings {
 
 using scene::Json;
@@ -24,6 +27,12 @@ constexpr std::uint8_t doubleItem = 0xfb;
 constexpr std::uint8_t closeMap = 0xff;
 constexpr std::uint8_t tag = 0xd8;
 constexpr std::uint8_t pointsTag = 40;  // then the dimension and the numbers
+constexpr std::array<std::uint8_t, 3> emptyTag{0xd9, 0xd9, 0xf7};
+
+bool startsWith(std::span<const std::uint8_t> bytes,
+                std::span<const std::uint8_t> start) noexcept {
+    return bytes.size() >= start.size() && std::equal(start.begin(), start.end(), bytes.begin());
+}
 
 /// A number that begins with its highest byte, as CBOR's do.
 template <class Bits>
@@ -36,6 +45,7 @@ Bits bigEndian(std::span<const std::uint8_t> bytes) noexcept {
 }  // namespace
 
 CborItem CborCursor::next() noexcept {
+    while (startsWith(rest_, emptyTag)) rest_ = rest_.subspan(emptyTag.size());
     if (rest_.empty()) return {};
     const std::uint8_t first = rest_[0];
     rest_ = rest_.subspan(1);

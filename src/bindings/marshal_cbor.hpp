@@ -1,6 +1,7 @@
 // CBOR (RFC 8949) as the facade writes it, item by item and without copies: maps of open length,
 // lists, texts, true, false, null, every number a double, and a Float64Array as a byte string of
-// little-endian doubles.
+// little-endian doubles. Before a long one stands the tag that says nothing (55799) as often as it
+// takes for its numbers to lie where numbers in memory do.
 #pragma once
 
 #include "geometry/vec.hpp"

@@ -9,8 +9,11 @@
 #include "scene/object_builders.hpp"
 #include "scene/validation.hpp"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace knotwork::bindings {
@@ -43,67 +46,120 @@ constexpr std::array sphereFields{
                        .help = "The smallest sphere, or one of two that are found sooner.",
                        .defaultJson = "\"minimal\"", .choices = methodChoices}};
 
-/// An object's lists that crossed as packed numbers; the tree has empty lists in their places.
-struct Packed {
-    Json rest = Json::object();
-    std::optional<std::vector<Vec3>> points{};
-    std::optional<std::vector<double>> parameters{};
-    std::optional<std::vector<double>> knots{};
-};
+using Kind = CborItem::Kind;
 
-bool takePoints(const CborItem& item, Packed& packed) {
-    std::vector<Vec3> points;
-    if (!readPoints(item, maxDataCount, points)) return false;
-    packed.points = std::move(points);
-    return true;
+// ---- What crosses nearly always ----------------------------------------------------------------
+
+bool takeInteger(const CborItem& item, int least, int most, int& value) {
+    if (item.kind != Kind::number || !(item.number >= least && item.number <= most)) return false;
+    value = static_cast<int>(item.number);
+    return value == item.number;
 }
 
-bool takeNumbers(const CborItem& item, std::optional<std::vector<double>>& list) {
-    std::vector<double> numbers;
-    if (!readNumbers(item, maxDataCount, numbers)) return false;
-    list = std::move(numbers);
-    return true;
+bool takeForm(const CborItem& item, Form& form) {
+    const auto named = item.kind == Kind::text ? scene::formNamed(item.text()) : std::nullopt;
+    if (named) form = *named;
+    return named.has_value();
 }
 
-bool take(std::string_view key, const CborItem& item, Packed& packed) {
-    if (key == "points") return takePoints(item, packed);
-    if (key == "parameters") return takeNumbers(item, packed.parameters);
-    return key == "knots" && takeNumbers(item, packed.knots);
+bool takePoints(const CborItem& item, LongList<Vec3>& points) {
+    auto found = findPoints(item, maxDataCount);
+    if (found) points = *std::move(found);
+    return found.has_value();
 }
 
-Result<Packed> unpack(std::span<const std::uint8_t> bytes) {
-    CborCursor cursor(bytes);
-    Packed packed;
-    bool whole = cursor.next().kind == CborItem::Kind::map;
-    while (whole) {
-        const CborItem key = cursor.next();
-        if (key.kind == CborItem::Kind::close) return packed;
-        const CborItem item = cursor.next();
-        Json value = Json::array();
-        whole = key.kind == CborItem::Kind::text &&
-                (take(key.text(), item, packed) || readValue(cursor, item, value));
-        packed.rest[std::string(key.text())] = std::move(value);
+bool takeParameters(const CborItem& item, FitInput& input) {
+    if (item.kind == Kind::text) {
+        input.request.parameters = scene::parametrisationNamed(item.text());
+        return std::any_of(scene::parametrisationChoices.begin(),
+                           scene::parametrisationChoices.end(),
+                           [&item](const Choice& one) { return one.value == item.text(); });
     }
-    // No object, then: the tables say so.
-    auto tree = readCbor(bytes);
-    if (!tree) return tree.error();
-    return Packed{std::move(*tree)};
+    auto found = findNumbers(item, maxDataCount);
+    if (!found) return false;
+    input.parameters = *std::move(found);
+    input.request.parameters = input.parameters.all;
+    return true;
 }
 
-std::vector<Vec3> pointsOf(Packed& packed, const Json& fields) {
-    if (packed.points) return *std::move(packed.points);
+bool takeOption(std::string_view key, const CborItem& item, LeastSquares& options) {
+    if (key == "interpolateEnds") {
+        options.interpolateEnds = item.number != 0;
+        return item.kind == Kind::flag;
+    }
+    options.smoothing = item.number;
+    return key == "smoothing" && item.kind == Kind::number && item.number >= 0 &&
+           item.number <= maxSmoothing;
+}
+
+bool take(std::string_view key, const CborItem& item, FitInput& input) {
+    FitRequest& request = input.request;
+    if (key == "points") return takePoints(item, input.points);
+    if (key == "degree") return takeInteger(item, 1, maxDegree, request.degree);
+    if (key == "form") return takeForm(item, request.form);
+    if (key == "parameters") return takeParameters(item, input);
+    if (key == "count") return takeInteger(item, 2, maxPointCount, request.count);
+    if (key == "knots") {
+        return readNumbers(item, maxDataCount, request.knots) && !request.knots.empty();
+    }
+    return takeOption(key, item, request.options);
+}
+
+/// Whether the bytes are a map whose fields are all taken.
+template <class Take>
+bool takeFields(std::span<const std::uint8_t> bytes, Take takeField) {
+    CborCursor cursor(bytes);
+    if (cursor.next().kind != Kind::map) return false;
+    for (;;) {
+        const CborItem key = cursor.next();
+        if (key.kind == Kind::close) return true;
+        if (key.kind != Kind::text || !takeField(key.text(), cursor.next())) return false;
+    }
+}
+
+/// A request without anything unusual, whose fields are all in the table; else nothing.
+std::optional<FitInput> readPlain(std::span<const std::uint8_t> bytes,
+                                  std::span<const Field> table) {
+    FitInput input;
+    auto missing = std::count_if(table.begin(), table.end(),
+                                 [](const Field& field) { return field.required; });
+    const bool taken = takeFields(bytes, [&](std::string_view key, const CborItem& item) {
+        const auto field = std::find_if(table.begin(), table.end(),
+                                        [key](const Field& one) { return one.name == key; });
+        if (field == table.end() || !take(key, item, input)) return false;
+        if (field->required) --missing;
+        return true;
+    });
+    return taken && missing == 0 ? std::optional<FitInput>(std::move(input)) : std::nullopt;
+}
+
+std::optional<SphereMethod> methodNamed(std::string_view name) {
+    if (name == "minimal") return SphereMethod::minimal;
+    if (name == "ritter") return SphereMethod::ritter;
+    if (name == "incremental") return SphereMethod::incremental;
+    return std::nullopt;
+}
+
+std::optional<SphereInput> readPlainSphere(std::span<const std::uint8_t> bytes) {
+    SphereInput input;
+    bool points = false;
+    const bool taken = takeFields(bytes, [&](std::string_view key, const CborItem& item) {
+        if (key == "points") return points = takePoints(item, input.points);
+        const auto method = item.kind == Kind::text ? methodNamed(item.text()) : std::nullopt;
+        if (method) input.method = *method;
+        return key == "method" && method.has_value();
+    });
+    return taken && points ? std::optional<SphereInput>(std::move(input)) : std::nullopt;
+}
+
+// ---- By the tables -----------------------------------------------------------------------------
+
+LongList<Vec3> pointsOf(const Json& fields) {
     std::vector<Vec3> points;
     for (const Json& point : *scene::member(fields, "points")) {
         points.push_back(scene::vec3Of(point));
     }
-    return points;
-}
-
-Parameters parametersOf(Packed& packed, const Json& fields) {
-    if (packed.parameters) return *std::move(packed.parameters);
-    const Json& given = *scene::member(fields, "parameters");
-    if (given.is_array()) return scene::numbersOf(given);
-    return scene::parametrisationNamed(given.get<std::string>());
+    return copied(std::move(points));
 }
 
 /// By the table, in which `parameters` are a list of numbers where a list is given.
@@ -118,21 +174,27 @@ Result<Json> readFields(const Json& given, std::span<const Field> table) {
 }
 
 Result<FitInput> readRequest(std::span<const std::uint8_t> bytes, std::span<const Field> table) {
-    auto packed = unpack(bytes);
-    if (!packed) return packed.error();
-    const auto fields = readFields(packed->rest, table);
+    if (auto plain = readPlain(bytes, table)) return *std::move(plain);
+    const auto tree = readCbor(bytes);
+    if (!tree) return tree.error();
+    const auto fields = readFields(*tree, table);
     if (!fields) return fields.error();
     FitInput input;
-    input.points = pointsOf(*packed, *fields);
+    input.points = pointsOf(*fields);
     FitRequest& request = input.request;
     request.degree = static_cast<int>(scene::numberOr(*fields, "degree", 0));
     request.count = static_cast<int>(scene::numberOr(*fields, "count", 0));
     request.form = *scene::formNamed(scene::stringOr(*fields, "form", ""));
-    request.parameters = parametersOf(*packed, *fields);
+    if (const Json& given = *scene::member(*fields, "parameters"); given.is_array()) {
+        input.parameters = copied(scene::numbersOf(given));
+        request.parameters = input.parameters.all;
+    } else {
+        request.parameters = scene::parametrisationNamed(given.get<std::string>());
+    }
     request.options.smoothing = scene::numberOr(*fields, "smoothing", 0);
     request.options.interpolateEnds = scene::flagOr(*fields, "interpolateEnds", false);
     if (const Json* knots = scene::member(*fields, "knots")) {
-        request.knots = packed->knots ? *std::move(packed->knots) : scene::numbersOf(*knots);
+        request.knots = scene::numbersOf(*knots);
         if (request.knots.empty()) {
             return refuse(Code::knotsCount, "knots",
                           "the list of knots is empty; leave it out for the default knots");
@@ -173,15 +235,12 @@ Result<FitInput> readInterpolation(std::span<const std::uint8_t> bytes) {
 }
 
 Result<SphereInput> readSphere(std::span<const std::uint8_t> bytes) {
-    auto packed = unpack(bytes);
-    if (!packed) return packed.error();
-    const auto fields = scene::readGroup(packed->rest, sphereFields);
+    if (auto plain = readPlainSphere(bytes)) return *std::move(plain);
+    const auto tree = readCbor(bytes);
+    if (!tree) return tree.error();
+    const auto fields = scene::readGroup(*tree, sphereFields);
     if (!fields) return fields.error();
-    const std::string method = scene::stringOr(*fields, "method", "");
-    return SphereInput{pointsOf(*packed, *fields),
-                       method == "ritter"        ? SphereMethod::ritter
-                       : method == "incremental" ? SphereMethod::incremental
-                                                 : SphereMethod::minimal};
+    return SphereInput{pointsOf(*fields), *methodNamed(scene::stringOr(*fields, "method", ""))};
 }
 
 }  // namespace knotwork::bindings

@@ -1,6 +1,7 @@
 // What is asked of a fit, of an interpolation and of an enclosing sphere, as values of the core.
 #pragma once
 
+#include "bindings/marshal_lists.hpp"
 #include "geometry/enclosing_sphere.hpp"
 #include "geometry/fitting.hpp"
 #include "geometry/result.hpp"
@@ -12,19 +13,20 @@
 namespace knotwork::bindings {
 
 struct FitInput {
-    std::vector<Vec3> points;
-    FitRequest request;  ///< of an interpolation: without count, knots and options
+    LongList<Vec3> points;
+    LongList<double> parameters;  ///< those that are given, which the request refers to
+    FitRequest request;           ///< of an interpolation: without count, knots and options
 };
 
-/// { points, degree, count, form?, parameters?, knots?, interpolateEnds?, smoothing? }: points
-/// straight from their bytes where they cross as packed numbers, everything else by a table of
-/// fields. What is refused has the codes and paths of those.
+/// { points, degree, count, form?, parameters?, knots?, interpolateEnds?, smoothing? }: straight
+/// from the bytes, which must stay, where nothing is unusual, else by a table of fields. What is
+/// refused has the codes and paths of that.
 [[nodiscard]] Result<FitInput> readFit(std::span<const std::uint8_t> bytes);
 /// { points, degree, form?, parameters? }.
 [[nodiscard]] Result<FitInput> readInterpolation(std::span<const std::uint8_t> bytes);
 
 struct SphereInput {
-    std::vector<Vec3> points;
+    LongList<Vec3> points;
     SphereMethod method = SphereMethod::minimal;
 };
 

@@ -9,6 +9,7 @@
 // are bytes from the start of memory. Texts are JSON.
 #pragma once
 
+#include "bindings/marshal_lists.hpp"
 #include "bindings/queries.hpp"
 #include "drawing/drawing.hpp"
 #include "geometry/arc_length.hpp"
@@ -287,7 +288,7 @@ private:
     [[nodiscard]] const BlendingCurve* findBlending(int handle);
     /// The local curve, or nothing (and OUT_OF_RANGE `j` in error()).
     [[nodiscard]] std::optional<std::size_t> findLocal(const BlendingCurve& curve, int local);
-    int holdFit(Fit fit);
+    int holdFit(Fit fit, LongList<double> given);
     int leave(std::vector<double> numbers, std::size_t count);
     /// Moves the first `count` of parameters() into the curve's domain; false, and a refusal that
     /// names `ts[first + i]`, where one lies outside.
@@ -301,7 +302,7 @@ private:
     std::array<double, blockPoints> parameters_{};
     std::array<std::int32_t, blockPoints> integers_{};
     std::vector<double> bulk_;
-    const double* list_ = nullptr;  ///< bulk_, or numbers that a value holds
+    const double* list_ = nullptr;  ///< bulk_, or numbers that a value or the input holds
     std::vector<std::uint32_t> bulkIndices_;
     std::string text_;
     MeshRoom meshRoom_;

@@ -6,13 +6,17 @@
 
 namespace knotwork::bindings {
 
-int Session::holdFit(Fit fit) {
+/// Parameters that were given are left where they crossed, or where they were copied to.
+int Session::holdFit(Fit fit, LongList<double> given) {
     const int handle = holdCurve({Curve(std::move(fit.curve)), std::nullopt, std::nullopt, {}});
     block_[curveTraits] = fit.residuals.sumOfSquares;
     block_[curveTraits + 1] = fit.residuals.rms;
     block_[curveTraits + 2] = fit.residuals.max;
-    const std::size_t parameters = fit.parameters.size();
-    block_[curveTraits + 3] = leave(std::move(fit.parameters), parameters);
+    const bool own = fit.parameters.empty();
+    const std::span<const double> parameters = own ? given.all : fit.parameters;
+    bulk_ = own ? std::move(given.copy) : std::move(fit.parameters);
+    list_ = parameters.data();
+    block_[curveTraits + 3] = static_cast<double>(parameters.size());
     return handle;
 }
 
@@ -20,24 +24,27 @@ int Session::fit(unsigned bytes) {
     const auto given = inputBytes(bytes);
     auto input = readFit(given);
     if (!input) return refuse(input.error());
-    auto fit = fitCurve(input->points, std::move(input->request));
-    return fit ? holdFit(std::move(*fit)) : refuse(placedInFit(fit.error(), given));
+    auto fit = fitCurve(input->points.all, std::move(input->request));
+    if (!fit) return refuse(placedInFit(fit.error(), given));
+    return holdFit(std::move(*fit), std::move(input->parameters));
 }
 
 int Session::interpolate(unsigned bytes) {
     const auto given = inputBytes(bytes);
     auto input = readInterpolation(given);
     if (!input) return refuse(input.error());
-    auto fit = interpolateCurve(input->points, input->request.degree, input->request.form,
-                                std::move(input->request.parameters));
-    return fit ? holdFit(std::move(*fit)) : refuse(placedInInterpolation(fit.error(), given));
+    const FitRequest& request = input->request;
+    auto fit = interpolateCurve(input->points.all, request.degree, request.form,
+                                request.parameters);
+    if (!fit) return refuse(placedInInterpolation(fit.error(), given));
+    return holdFit(std::move(*fit), std::move(input->parameters));
 }
 
 bool Session::enclosingSphere(unsigned bytes) {
     const auto given = inputBytes(bytes);
     const auto input = readSphere(given);
     if (!input) return refuse(input.error());
-    const auto sphere = knotwork::enclosingSphere(input->points, input->method);
+    const auto sphere = knotwork::enclosingSphere(input->points.all, input->method);
     if (!sphere) return refuse(placedInSphere(sphere.error(), given));
     block_[0] = sphere->center.x;
     block_[1] = sphere->center.y;

@@ -35,14 +35,16 @@ MaybeError checkSizes(int degree, int count) {
     return {};
 }
 
-Result<std::vector<double>> parametersFor(std::span<const Vec3> points, Parameters given,
+/// Found ones; none where they are given.
+Result<std::vector<double>> parametersFor(std::span<const Vec3> points, const Parameters& wanted,
                                           Form form) {
-    if (const auto* how = std::get_if<Parametrisation>(&given)) {
+    if (const auto* how = std::get_if<Parametrisation>(&wanted)) {
         return parametersOf(points, *how, form == Form::closed);
     }
-    auto& own = std::get<std::vector<double>>(given);
-    if (auto error = checkParameters(own, points.size())) return *error;
-    return std::move(own);
+    if (auto error = checkParameters(std::get<std::span<const double>>(wanted), points.size())) {
+        return *error;
+    }
+    return std::vector<double>();
 }
 
 /// The second of two data so close that knots between them would not be told apart.
@@ -86,18 +88,20 @@ Result<KnotVector> defaultKnots(std::span<const double> parameters, const FitReq
 Result<Fit> fitCurve(std::span<const Vec3> points, FitRequest request) {
     if (auto error = checkSizes(request.degree, request.count)) return *error;
     if (auto error = checkFit(points, request.options, request.form == Form::closed)) return *error;
-    auto parameters = parametersFor(points, std::move(request.parameters), request.form);
-    if (!parameters) return parameters.error();
+    auto found = parametersFor(points, request.parameters, request.form);
+    if (!found) return found.error();
+    const auto* given = std::get_if<std::span<const double>>(&request.parameters);
+    const std::span<const double> parameters = given != nullptr ? *given : *found;
     const auto knots = request.knots.empty()
-                           ? defaultKnots(*parameters, request)
+                           ? defaultKnots(parameters, request)
                            : KnotVector::make(std::move(request.knots), request.degree, request.count,
                                               request.form);
     if (!knots) return knots.error();
-    if (auto error = checkInside(*parameters, knots->domain())) return *error;
-    auto curve = checkedLeastSquares(points, *parameters, *knots, request.options);
+    if (auto error = checkInside(parameters, knots->domain())) return *error;
+    auto curve = checkedLeastSquares(points, parameters, *knots, request.options);
     if (!curve) return curve.error();
-    const Residuals residuals = residualsOf(*curve, points, *parameters);
-    return Fit{std::move(*curve), std::move(*parameters), residuals};
+    const Residuals residuals = residualsOf(*curve, points, parameters);
+    return Fit{std::move(*curve), std::move(*found), residuals};
 }
 
 Result<Fit> interpolateCurve(std::span<const Vec3> points, int degree, Form form,
@@ -111,7 +115,7 @@ Result<Fit> interpolateCurve(std::span<const Vec3> points, int degree, Form form
         return *error;
     }
     return fitCurve(points, {.degree = degree, .count = count, .form = form,
-                             .parameters = std::move(parameters)});
+                             .parameters = parameters});
 }
 
 }  // namespace knotwork

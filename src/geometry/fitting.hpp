@@ -14,8 +14,8 @@
 
 namespace knotwork {
 
-/// How parameters are found, or the parameters themselves.
-using Parameters = std::variant<Parametrisation, std::vector<double>>;
+/// How parameters are found, or the parameters themselves, which must stay while they are used.
+using Parameters = std::variant<Parametrisation, std::span<const double>>;
 
 struct FitRequest {
     int degree = 3;
@@ -30,7 +30,7 @@ struct FitRequest {
 
 struct Fit {
     BsplineCurve curve;
-    std::vector<double> parameters;
+    std::vector<double> parameters;  ///< that were found; none where they were given
     Residuals residuals;
 };
 

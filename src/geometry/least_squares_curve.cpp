@@ -44,16 +44,32 @@ MaybeError checkParameter(double u) {
 /// Whether the squares of all coordinates together are less than that of the largest: most data in a
 /// fraction of the time. A NaN passes into the sum.
 bool allSmall(std::span<const Vec3> points) noexcept {
-    simd::Double2 xy = simd::splat(0);
-    simd::Double2 zs = simd::splat(0);
-    for (const Vec3& point : points) {
-        const simd::Double2 two = simd::load(&point.x);
-        const simd::Double2 last = simd::loadSplat(&point.z);
-        xy = xy + two * two;
-        zs = zs + last * last;
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    constexpr std::size_t together = 4;  // so that no sum waits for itself
+    std::array<simd::Double2, 3 * together / 2> sums;
+    sums.fill(simd::splat(0));
+    std::size_t k = 0;
+    for (; k + together <= points.size(); k += together) {
+        const double* const xyz = &points[k].x;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            const simd::Double2 two = simd::load(xyz + 2 * i);
+            sums[i] = sums[i] + two * two;
+        }
     }
-    return simd::first(xy) + simd::second(xy) + simd::first(zs) <
-           largestCoordinate * largestCoordinate;
+    double whole = 0;
+    for (const simd::Double2 sum : sums) whole += simd::first(sum) + simd::second(sum);
+    for (; k < points.size(); ++k) whole += glm::dot(points[k], points[k]);
+    return whole < largestCoordinate * largestCoordinate;
+}
+
+bool ascending(std::span<const double> parameters) noexcept {
+    simd::Truth2 all = simd::splat(0) == simd::splat(0);
+    std::size_t k = 0;
+    for (; k + 2 < parameters.size(); k += 2) {
+        all = all & (simd::load(&parameters[k + 1]) >= simd::load(&parameters[k]));
+    }
+    const bool last = k + 1 >= parameters.size() || parameters[k] <= parameters[k + 1];
+    return last && simd::inBoth(all);
 }
 
 MaybeError checkPoints(std::span<const Vec3> points) {
@@ -317,9 +333,7 @@ MaybeError checkParameters(std::span<const double> parameters, std::size_t point
                       std::to_string(parameters.size()) + " parameters given for " +
                           std::to_string(pointCount) + " points; give one a point");
     }
-    const auto misplaced = std::adjacent_find(parameters.begin(), parameters.end(),
-                                              [](double u, double next) { return !(u <= next); });
-    const bool ordered = misplaced == parameters.end() && !parameters.empty();
+    const bool ordered = !parameters.empty() && ascending(parameters);
     if (ordered && !checkParameter(parameters.front()) && !checkParameter(parameters.back())) {
         return {};
     }

@@ -399,9 +399,11 @@ TEST(Fitting, WhatCannotBeFittedIsRefusedWithItsReason) {
     // A millisecond at the parameter 10⁸ is no domain.
     const std::vector<Vec3> corner{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
     FitRequest late{.degree = 1, .count = 2};
-    late.parameters = std::vector<double>{1e8, 1e8 + 5e-4, 1e8 + 1e-3};
+    const std::vector<double> narrow{1e8, 1e8 + 5e-4, 1e8 + 1e-3};
+    late.parameters = narrow;
     EXPECT_EQ(refusal(fitCurve(corner, late)), "OUT_OF_RANGE parameters");
-    late.parameters = std::vector<double>{1e8, 1e8 + 5, 1e8 + 10};
+    const std::vector<double> wide{1e8, 1e8 + 5, 1e8 + 10};
+    late.parameters = wide;
     EXPECT_EQ(refusal(fitCurve(corner, late)), "ok");
 }
 

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -120,7 +122,11 @@ TEST(FitRefusals, SayWhatWasWrongAndWhere) {
     broken[3].y = nan;
     auto far = five;
     far[2].z = 2e12;
-    const auto own = [](Numbers u) { return FitRequest{.parameters = std::move(u)}; };
+    std::deque<Numbers> kept;
+    const auto keep = [&kept](Numbers u) -> std::span<const double> {
+        return kept.emplace_back(std::move(u));
+    };
+    const auto own = [&keep](Numbers u) { return FitRequest{.parameters = keep(std::move(u))}; };
     const std::vector<Refusal> refusals{
         {"no points", {}, {}, Code::wrongLength, "points"},
         {"NaN", broken, {}, Code::notFinite, "points[3]"},
@@ -139,10 +145,10 @@ TEST(FitRefusals, SayWhatWasWrongAndWhere) {
         {"no range", five, own({1, 1, 1, 1, 1}), Code::outOfRange, "parameters"},
         {"knots", five, {.knots = {0, 0, 0, 1, 1, 1}}, Code::knotsCount, "knots"},
         {"before the knots", five,
-         {.parameters = Numbers{-1, 0, 1, 2, 3}, .knots = {0, 0, 0, 0, 4, 4, 4, 4}},
+         {.parameters = keep({-1, 0, 1, 2, 3}), .knots = {0, 0, 0, 0, 4, 4, 4, 4}},
          Code::outOfRange, "parameters[0]"},
         {"after the knots", five,
-         {.parameters = Numbers{0, 1, 2, 3, 4}, .knots = {0, 0, 0, 0, 2, 2, 2, 2}},
+         {.parameters = keep({0, 1, 2, 3, 4}), .knots = {0, 0, 0, 0, 2, 2, 2, 2}},
          Code::outOfRange, "parameters[3]"},
         {"smoothing", five, {.options = {.smoothing = -1}}, Code::outOfRange, "smoothing"},
         {"NaN smoothing", five, {.options = {.smoothing = nan}}, Code::outOfRange, "smoothing"},
