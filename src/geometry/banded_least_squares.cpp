@@ -14,10 +14,20 @@ namespace {
 constexpr double independence = 1e-13;
 
 /// Several rows, one after the other.
-struct Rows {
+struct AnyRows {
     double* first;
     std::size_t count;
     std::size_t size;
+
+    [[nodiscard]] double* row(std::size_t i) const noexcept { return first + i * size; }
+};
+
+/// As many as the compiler knows of, so that loops unroll.
+template <std::size_t Count, std::size_t Size>
+struct FixedRows {
+    static constexpr std::size_t count = Count;
+    static constexpr std::size_t size = Size;
+    double* first;
 
     [[nodiscard]] double* row(std::size_t i) const noexcept { return first + i * size; }
 };
@@ -33,8 +43,9 @@ struct Reflection {
 using simd::Double2;
 
 /// Reflects `count` columns from `upper` of the row of R on, and from place `at` of the others on.
-void reflect(const Reflection& by, double* upper, const Rows& rows, std::size_t at,
-             std::size_t count) noexcept {
+template <class Rows>
+inline void reflect(const Reflection& by, double* upper, const Rows& rows, std::size_t at,
+                    std::size_t count) noexcept {
     std::size_t k = 0;
     const Double2 head = simd::splat(by.head);
     const Double2 scale = simd::splat(1 / by.scale);
@@ -67,7 +78,8 @@ void reflect(const Reflection& by, double* upper, const Rows& rows, std::size_t 
 
 /// What makes the column at `place` zero in all rows; R's own element is put in its place. A scale
 /// of zero where there is nothing to do.
-Reflection eliminate(double& element, const Rows& rows, std::size_t place) noexcept {
+template <class Rows>
+inline Reflection eliminate(double& element, const Rows& rows, std::size_t place) noexcept {
     double below = 0;
     for (std::size_t i = 0; i < rows.count; ++i) {
         below += rows.row(i)[place] * rows.row(i)[place];
@@ -92,7 +104,9 @@ BandedLeastSquares::BandedLeastSquares(std::size_t columns, std::size_t band, st
       squares_(columns, 0.0) {}
 
 void BandedLeastSquares::add(std::size_t first, std::span<double> rows) noexcept {
-    const Rows below{rows.data(), rows.size() / rowSize(), rowSize()};
+    const bool four = border_ == 0 && band_ == 4 && rows.size() == 4 * rowSize();
+    if (four && first + 4 <= core_) return addFour(first, rows.data());
+    const AnyRows below{rows.data(), rows.size() / rowSize(), rowSize()};
     const std::size_t width = first < core_ ? std::min(band_, core_ - first) : 0;
     for (std::size_t i = 0; i < below.count; ++i) {
         const double* const row = below.row(i);
@@ -113,6 +127,23 @@ void BandedLeastSquares::add(std::size_t first, std::span<double> rows) noexcept
         const Reflection by = eliminate(upper[0], below, band_ + k);
         if (by.scale == 0) continue;
         reflect(by, upper + 1, below, band_ + k + 1, border_ - k + 2);
+    }
+}
+
+void BandedLeastSquares::addFour(std::size_t first, double* rows) noexcept {
+    constexpr std::size_t four = 4;
+    constexpr std::size_t size = four + 3;
+    const FixedRows<four, size> below{rows};
+    for (std::size_t i = 0; i < four; ++i) {
+        const double* const row = below.row(i);
+        for (std::size_t k = 0; k < four; ++k) squares_[first + k] += row[k] * row[k];
+    }
+    for (std::size_t place = 0; place < four; ++place) {
+        double* const upper = &r_[(first + place) * size];
+        const Reflection by = eliminate(upper[0], below, place);
+        if (by.scale == 0) continue;
+        reflect(by, upper + 1, below, place + 1, four - 1 - place);
+        reflect(by, upper + four, below, four, 3);
     }
 }
 

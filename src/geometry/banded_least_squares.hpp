@@ -51,6 +51,8 @@ public:
     [[nodiscard]] std::vector<Vec3> solve(std::span<const Constraint> constraints) const;
 
 private:
+    /// add() of four rows of a cubic's span, without border.
+    void addFour(std::size_t first, double* rows) noexcept;
     [[nodiscard]] double* rowOf(std::size_t column) noexcept { return &r_[column * rowSize()]; }
     [[nodiscard]] const double* rowOf(std::size_t column) const noexcept {
         return &r_[column * rowSize()];

@@ -62,6 +62,29 @@ test('points one by one and as a flat array give the same fit, bit for bit', () 
     }
 });
 
+test('long lists give the same fit wherever they stand among the fields, and come back as copies', () => {
+    const random = randomness(10);
+    const points = random.points(1500, 3);
+    const parameters = Float64Array.from({ length: 1500 }, (_, k) => k / 1499);
+    const request = { degree: 3, count: 12, smoothing: 1e-3 };
+    const slow = kw.fit({ ...request, points, parameters: Array.from(parameters) });
+    const long = { points: flat(points), parameters };
+    // Fields of different sizes before the lists move them through all places in a word of memory.
+    for (const form of ['clamped', 'open', 'closed']) {
+        const usual = kw.fit({ ...request, form, points, parameters: Array.from(parameters) });
+        for (const first of [{ form }, { degree: 3, form }, { interpolateEnds: false, form }]) {
+            const fit = kw.fit({ ...first, ...long, ...request });
+            assert.deepEqual(fit.curve.spec, usual.curve.spec);
+            assert.deepEqual(fit.residuals, usual.residuals);
+            assert.deepEqual(fit.parameters, parameters);
+        }
+    }
+    const fit = kw.fit({ ...request, ...long });
+    kw.fit({ ...request, points: flat(points).map((x) => -x), parameters: parameters.map((u) => u / 2) });
+    assert.deepEqual(fit.parameters, slow.parameters);
+    assert.notEqual(fit.parameters, parameters);
+});
+
 test('the residuals are those of the curve', () => {
     const points = randomness(10).points(2000, 3);
     const { curve, parameters, residuals } = kw.fit({ points, degree: 3, count: 30 });
