@@ -4,6 +4,7 @@ import { makeBFunction } from './b-function.mjs';
 import { Core } from './core.mjs';
 import { makeCurve } from './curve.mjs';
 import { enclosingSphere, fit, interpolate } from './fit.mjs';
+import { importDocument } from './imports.mjs';
 import { decodeLink, encodeLink } from './links.mjs';
 import { makeMesh } from './mesh.mjs';
 import { openScene } from './scene.mjs';
@@ -51,6 +52,8 @@ export function makeApi(module) {
         get scenes() {
             return core.json('scenes');
         },
+        /** @param {unknown} text @param {unknown} [given] */
+        importDocument: (text, given) => importDocument(core, text, given),
         /** @param {unknown} document */
         encodeLink: async (document) => encodeLink(core, document),
         /** @param {unknown} link */

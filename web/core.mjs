@@ -221,6 +221,15 @@ export class Core {
     }
 
     /**
+     * Bytes at an address of wasm memory, copied.
+     * @param {number} address
+     * @param {number} count
+     */
+    bytes(address, count) {
+        return this.#module.HEAPU8.slice(address, address + count);
+    }
+
+    /**
      * Puts a text where the next call reads it.
      * @param {string} text
      */

@@ -80,6 +80,12 @@ export interface Knotwork {
     /** The built-in scenes. */
     readonly scenes: BuiltinScene[];
 
+    /**
+     * The document of a text in another format: a document, a table of points (separated by commas,
+     * semicolons, tabs or blanks; a first line may name its columns), OBJ, or SVG (its paths, exact
+     * up to arcs). A refusal names line and column.
+     */
+    importDocument(text: string, options?: ImportOptions): SceneDocument;
     /** The shortest link, `#v1.…`, that opens as this document. */
     encodeLink(document: SceneDocument): Promise<string>;
     /** The document of such a link, or of an address that ends in one. */
@@ -892,6 +898,44 @@ export interface Drawing {
     shapes: Shape[];
 }
 
+/** All effects at a phase in [0, 1] (default 0), or each where it is at a time in seconds. */
+export interface MomentOptions {
+    phase?: number;
+    time?: number;
+}
+
+export interface SvgOptions extends MomentOptions {
+    /** In pixels, from 1 to 32768; default 800. */
+    width?: number;
+    /** Likewise; default 600. */
+    height?: number;
+    /** Default light. */
+    theme?: 'light' | 'dark' | 'contrast';
+    /** What the picture is called by those who do not see it; default the document's title. */
+    title?: string;
+    /** Default the document's description. */
+    description?: string;
+    /** `theme` (default), `none`, or a colour as `#rrggbb`. */
+    background?: string;
+}
+
+export interface ExportOptions extends MomentOptions {
+    /**
+     * Largest distance of lines and triangles from what they stand for, in units of the scene; by
+     * default 1/10000 of the scene's size for curves and 1/1000 for surfaces.
+     */
+    tolerance?: number;
+}
+
+export interface ImportOptions {
+    /** What the text is; without it, it is guessed. */
+    format?: 'json' | 'csv' | 'obj' | 'svg';
+    /** Whether a table is a cloud of points (default) or the control points of a curve. */
+    as?: 'points' | 'curve';
+    /** The document's title. */
+    title?: string;
+}
+
 export interface FieldDescription {
     path: string;
     name: string;
@@ -914,8 +958,20 @@ export interface FieldDescription {
 export interface Scene extends Disposable {
     /** The canonical document: defaults filled in, keys in a fixed order. */
     readonly document: SceneDocument;
-    /** The scene with all effects at a phase in [0, 1] (default 0), or each where it is at a time. */
-    drawing(options?: { phase?: number; time?: number; tolerance?: number }): Drawing;
+    drawing(options?: MomentOptions & { tolerance?: number }): Drawing;
+    /**
+     * The picture as SVG: curves as cubic Bézier curves (exact up to degree 3), grouped and named by
+     * object and role, without scripts, style sheets or anything to be fetched.
+     */
+    svg(options?: SvgOptions): string;
+    /**
+     * The scene for other programs: its picture, its document (`json`), the calls that make its
+     * objects (`js`), or the objects at a moment: points in a table (`csv`), lines and faces (`obj`),
+     * triangles (`stl`), lines and triangles with colours (`gltf`; `glb` is the same as one file).
+     */
+    exportAs(format: 'svg', options?: SvgOptions): string;
+    exportAs(format: 'json' | 'js' | 'csv' | 'obj' | 'gltf', options?: ExportOptions): string;
+    exportAs(format: 'stl' | 'glb', options?: ExportOptions): Uint8Array;
     /** Applies a command; one that is refused changes nothing. */
     execute(command: Command): { command: string; path: string };
     /** Takes a step back; false where there is none. */

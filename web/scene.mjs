@@ -2,6 +2,7 @@
 
 import { finite, options } from './check.mjs';
 import { KnotworkError } from './errors.mjs';
+import { exportScene } from './exports.mjs';
 import { Held } from './held.mjs';
 
 export class Scene extends Held {
@@ -28,6 +29,17 @@ export class Scene extends Held {
         for (const shape of shapes) takePositions(core, shape);
         core.call('dropDrawing');
         return { bounds, shapes };
+    }
+
+    /** The picture as SVG. @param {unknown} [given] */
+    svg(given) {
+        return this.exportAs('svg', given);
+    }
+
+    /** The scene for other programs. @param {unknown} format @param {unknown} [given] */
+    exportAs(format, given) {
+        const { core, handle } = Held.of(this);
+        return exportScene(core, handle, format, given);
     }
 
     /** Applies a command and says what it changed. @param {object} command */

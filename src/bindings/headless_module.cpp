@@ -108,6 +108,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("sceneRevision", &Session::sceneRevision)
         .function("sceneDrawing", &Session::sceneDrawing)
         .function("dropDrawing", &Session::dropDrawing)
+        .function("sceneExport", &Session::sceneExport)
+        .function("dropExport", &Session::dropExport)
         .function("scenes", &Session::scenes)
         .function("documentSchema", &Session::documentSchema);
 }

@@ -233,6 +233,10 @@ public:
     /// until the next drawing. NaN stands for a phase, time or tolerance that is not given.
     [[nodiscard]] std::string sceneDrawing(int handle, double phase, double time, double tolerance);
     void dropDrawing();
+    /// Writes the scene in the format with this place in drawing::ExportFormat; the input is its
+    /// options. block: address and number of the bytes, which last until dropExport().
+    [[nodiscard]] bool sceneExport(int handle, int format, unsigned bytes);
+    void dropExport();
     [[nodiscard]] std::string scenes() const;
     [[nodiscard]] std::string documentSchema() const;
 

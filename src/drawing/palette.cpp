@@ -17,15 +17,6 @@ constexpr std::array lightCycle{rgb(0x0072b2), rgb(0xd55e00), rgb(0x008f6b), rgb
 constexpr std::array darkCycle{rgb(0x56b4e9), rgb(0xff9a4d), rgb(0x2fc99e), rgb(0xe89ac7),
                                rgb(0xe6c229), rgb(0x8ecdf5), rgb(0xb09cff), rgb(0xb8b8b8)};
 
-/// Relative luminance (WCAG 2.2).
-double luminance(const Colour& colour) noexcept {
-    const auto linear = [](double c) {
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) +
-           0.0722 * linear(colour.blue);
-}
-
 /// Contrast of more than 4 : 1 against our dark background (#12161f or so, luminance 0.008).
 constexpr double leastLuminance = 0.2;
 
@@ -44,6 +35,14 @@ Colour roleColour(Role role, bool dark) noexcept {
 
 Colour cycleColour(std::size_t i, bool dark) noexcept {
     return dark ? darkCycle[i % darkCycle.size()] : lightCycle[i % lightCycle.size()];
+}
+
+double luminance(const Colour& colour) noexcept {
+    const auto linear = [](double c) {
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) +
+           0.0722 * linear(colour.blue);
 }
 
 Colour onBackground(const Colour& colour, bool dark) noexcept {

@@ -13,6 +13,9 @@ namespace knotwork::drawing {
 /// of derivative of a B-function).
 [[nodiscard]] Colour cycleColour(std::size_t i, bool dark) noexcept;
 
+/// Relative luminance (WCAG 2.2): 0 of black, 1 of white.
+[[nodiscard]] double luminance(const Colour& colour) noexcept;
+
 /// An author's colour, lifted on a dark background until it can be seen there.
 [[nodiscard]] Colour onBackground(const Colour& colour, bool dark) noexcept;
 

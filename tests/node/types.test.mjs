@@ -57,6 +57,9 @@ const scene = kw.scene({ knotwork: 1, objects: [{ id: 'c1', ...spline.spec, show
     effects: [{ target: 'c1', kind: 'rotate', angle: 1, easing: { family: 'linear' } }] });
 scene.execute({ move: 'objects[0].points[2]', by: [1, 0], gesture: 'drag' });
 const shapes: { object: string, positions: Float64Array }[] = scene.drawing({ time: 2 }).shapes;
+const files: [string, string, Uint8Array] = [scene.svg({ width: 320, theme: 'contrast', phase: 0.5 }), scene.exportAs('csv', { tolerance: 1, time: 2 }), scene.exportAs('stl')];
+const imported: string | undefined = kw.importDocument(files[1], { format: 'csv', as: 'curve' }).title;
+void imported;
 const trace = kw.trace({ algorithm: 'lane-riesenfeld', points: new Float64Array(9), closed: true, degree: 2 });
 const said: [string, string | undefined] = [trace.frames[0].text, trace.frames[0].formula];
 const link: string = await kw.encodeLink(scene.document);
@@ -113,6 +116,8 @@ for (const [name, text] of [
     ['a parameter of another solid', "(await load()).mesh({ solid: 'cube', parameters: { sides: 4 } });"],
     ['a code that does not exist', "new KnotworkError('OOPS', '', '');"],
     ['a tension of another scheme', "(await load()).subdivide({ scheme: 'chaikin', points: [], tension: 0 });"],
+    ['an option of another format', "(await load()).scene({ knotwork: 1 }).exportAs('csv', { width: 1 });"],
+    ['a picture as bytes', "const bytes: Uint8Array = (await load()).scene({ knotwork: 1 }).exportAs('svg'); void bytes;"],
     ['changing what is read only', "(await load()).bFunction({ family: 'linear' }).order = [0, 0];"],
 ]) {
     test(`${name} does not compile`, async () => {

@@ -1,0 +1,128 @@
+// The part of the session that writes scenes for other programs.
+#include "bindings/session.hpp"
+#include "drawing/exports.hpp"
+#include "scene/validation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace knotwork::bindings {
+
+namespace {
+
+using drawing::ExportFormat;
+using scene::Choice;
+using scene::Field;
+using scene::FieldKind;
+using scene::Json;
+
+constexpr std::array themes{Choice{"light", "Light"}, Choice{"dark", "Dark"},
+                            Choice{"contrast", "High contrast"}};
+/// Of a picture, in pixels: more than any screen or sheet of paper shows.
+constexpr double largestSide = 32768;
+
+constexpr Field phaseField{.name = "phase", .label = "Phase", .kind = FieldKind::number,
+                           .help = "Of all effects.", .min = 0, .max = 1};
+constexpr Field timeField{.name = "time", .label = "Time", .kind = FieldKind::number,
+                          .help = "In seconds, each effect then at its own phase."};
+
+constexpr std::array pictureFields{
+    phaseField, timeField,
+    Field{.name = "width", .label = "Width", .kind = FieldKind::number, .help = "In pixels.",
+          .min = 1, .max = largestSide, .maxIsSize = true, .defaultJson = "800"},
+    Field{.name = "height", .label = "Height", .kind = FieldKind::number, .help = "In pixels.",
+          .min = 1, .max = largestSide, .maxIsSize = true, .defaultJson = "600"},
+    Field{.name = "theme", .label = "Theme", .kind = FieldKind::choice, .help = "Its colours.",
+          .defaultJson = "\"light\"", .choices = themes},
+    Field{.name = "title", .label = "Title", .kind = FieldKind::text,
+          .help = "In place of the document's."},
+    Field{.name = "description", .label = "Description", .kind = FieldKind::text,
+          .help = "In place of the document's."},
+    Field{.name = "background", .label = "Background", .kind = FieldKind::text,
+          .help = "theme, none or #rrggbb.", .defaultJson = "\"theme\""},
+};
+
+constexpr std::array geometryFields{
+    phaseField, timeField,
+    Field{.name = "tolerance", .label = "Tolerance", .kind = FieldKind::number,
+          .help = "Largest distance from what is exported, in units of the scene.", .min = 0,
+          .minOpen = true},
+};
+
+std::optional<double> numberOf(const Json& fields, std::string_view name) {
+    const Json* given = scene::member(fields, name);
+    return given != nullptr ? std::optional(scene::numberOr(fields, name, 0)) : std::nullopt;
+}
+
+std::optional<std::string> textOf(const Json& fields, std::string_view name) {
+    const Json* given = scene::member(fields, name);
+    return given != nullptr ? std::optional(scene::stringOr(fields, name, "")) : std::nullopt;
+}
+
+Result<scene::Moment> momentOf(const Json& fields) {
+    const scene::Moment moment{numberOf(fields, "phase"), numberOf(fields, "time")};
+    if (!moment.phase || !moment.time) return moment;
+    return refuse(Code::unknownField, "time", "Give a phase or a time, not both.");
+}
+
+Result<Done> checkBackground(const std::string& background) {
+    if (background == "theme" || background == "none" || scene::parseColour(background)) return Done{};
+    return refuse(Code::syntax, "background",
+                  "background is \"" + background + "\"; it can be theme, none or #rrggbb.");
+}
+
+drawing::SvgTheme themeOf(const Json& fields) {
+    const std::string name = scene::stringOr(fields, "theme", "");
+    const auto found = std::find_if(themes.begin(), themes.end(),
+                                    [&](const Choice& theme) { return theme.value == name; });
+    return static_cast<drawing::SvgTheme>(found - themes.begin());
+}
+
+Result<std::string> picture(const scene::State& state, const Json& fields) {
+    auto moment = momentOf(fields);
+    if (!moment) return moment.error();
+    drawing::SvgOptions options;
+    options.moment = *moment;
+    options.width = scene::numberOr(fields, "width", options.width);
+    options.height = scene::numberOr(fields, "height", options.height);
+    options.theme = themeOf(fields);
+    options.title = textOf(fields, "title");
+    options.description = textOf(fields, "description");
+    options.background = scene::stringOr(fields, "background", "theme");
+    if (auto colour = checkBackground(options.background); !colour) return colour.error();
+    return drawing::svg(state, options);
+}
+
+Result<std::string> geometry(const scene::State& state, ExportFormat format, const Json& fields) {
+    auto moment = momentOf(fields);
+    if (!moment) return moment.error();
+    return drawing::exportScene(state, format, {*moment, numberOf(fields, "tolerance")});
+}
+
+Result<std::string> written(const scene::State& state, ExportFormat format, const Json& given) {
+    const bool isPicture = format == ExportFormat::svg;
+    const auto fields = scene::readGroup(given, isPicture ? std::span<const Field>(pictureFields)
+                                                          : std::span<const Field>(geometryFields));
+    if (!fields) return fields.error();
+    return isPicture ? picture(state, *fields) : geometry(state, format, *fields);
+}
+
+}  // namespace
+
+bool Session::sceneExport(int handle, int format, unsigned bytes) {
+    const auto* held = find<scene::Scene>(handle);
+    if (!held) return false;
+    const auto given = input(bytes);
+    auto text = given ? written(held->state(), static_cast<ExportFormat>(format), *given)
+                      : Result<std::string>(given.error());
+    if (!text) return refuse(text.error()) != 0;
+    text_ = *std::move(text);
+    block_[0] = static_cast<double>(reinterpret_cast<Address>(text_.data()));
+    block_[1] = static_cast<double>(text_.size());
+    return true;
+}
+
+void Session::dropExport() { text_ = std::string(); }
+
+}  // namespace knotwork::bindings

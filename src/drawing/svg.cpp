@@ -1,0 +1,132 @@
+#include "drawing/svg.hpp"
+
+#include "drawing/extent.hpp"
+#include "drawing/screen.hpp"
+#include "drawing/svg_shapes.hpp"
+#include "drawing/svg_theme.hpp"
+#include "scene/json_values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace knotwork::drawing {
+
+namespace {
+
+constexpr double lineTolerance = 0.1;   // pixels
+constexpr double leastRounding = 1e-3;  // pixels: nobody sees less
+constexpr double shareRounding = 5e-7;  // of the smaller side
+
+int decimalsFor(const SvgOptions& options) noexcept {
+    const double step =
+        std::min(leastRounding, shareRounding * std::min(options.width, options.height));
+    return static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+}
+
+std::string_view themeName(SvgTheme theme) noexcept {
+    constexpr std::array names{std::string_view("light"), std::string_view("dark"),
+                               std::string_view("contrast")};
+    return names[static_cast<std::size_t>(theme)];
+}
+
+const scene::Json* cameraOf(const scene::State& state) noexcept {
+    const scene::Json* view = scene::member(*state.header, "view");
+    return view != nullptr ? scene::member(*view, "camera") : nullptr;
+}
+
+/// How much of the world the document's camera shows from top to bottom, or 0.
+double cameraHeight(const scene::State& state) noexcept {
+    const scene::Json* camera = cameraOf(state);
+    return camera != nullptr ? scene::numberOr(*camera, "height", 0) : 0;
+}
+
+/// The document's camera where it says how much it shows, otherwise nothing.
+std::optional<Aim> cameraAim(const scene::State& state, const Orientation& orientation,
+                             const Bounds& bounds, const Frame& frame) {
+    const double height = cameraHeight(state);
+    if (!(height > 0)) return std::nullopt;
+    const scene::Json* centre = scene::member(*cameraOf(state), "center");
+    const Vec3 middle = centre != nullptr ? orientation * scene::vec3Of(*centre)
+                                          : (bounds.min + bounds.max) * 0.5;
+    return Aim{middle.x, middle.y, frame.height / height};
+}
+
+Bounds seenBounds(const Drawing& drawing, const Orientation& orientation) {
+    Bounds bounds;
+    for (const Shape& shape : drawing.shapes) {
+        if (shape.pane != Pane::curve) continue;
+        for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+            const double* p = shape.positions.data() + i;
+            const Vec3 seen = orientation * Vec3(p[0], p[1], p[2]);
+            if (isFinite(seen)) bounds.add(seen);
+        }
+    }
+    return bounds;
+}
+
+/// Units of the world that a pixel takes, or a little less.
+double pixelSize(const scene::State& state, const SvgOptions& options) {
+    const double height = cameraHeight(state);
+    if (height > 0) return height / options.height;
+    return roughSize(state, options.moment) / std::max(options.width, options.height);
+}
+
+std::string matrixText(const Affine& screen) {
+    const auto& m = screen.linear;
+    scene::Json numbers{m[0][0], m[0][1], m[1][0], m[1][1], screen.offset.x, screen.offset.y};
+    std::string text = scene::dumpJson(numbers);
+    std::replace(text.begin(), text.end(), ',', ' ');
+    return text.substr(1, text.size() - 2);
+}
+
+void beginPicture(XmlWriter& xml, const scene::State& state, const SvgOptions& options) {
+    const std::string title =
+        options.title.value_or(scene::stringOr(*state.header, "title", ""));
+    const std::string description =
+        options.description.value_or(scene::stringOr(*state.header, "description", ""));
+    xml.begin("svg").attribute("xmlns", "http://www.w3.org/2000/svg");
+    xml.number("width", options.width).number("height", options.height);
+    std::string box = "0 0 ";
+    appendNumber(box, options.width, xml.decimals());
+    box += ' ';
+    appendNumber(box, options.height, xml.decimals());
+    xml.attribute("viewBox", box).attribute("role", "img");
+    xml.attribute("class", "knotwork knotwork-" + std::string(themeName(options.theme)));
+    xml.begin("title").text(title.empty() ? "Knotwork" : title);
+    if (!description.empty()) xml.begin("desc").text(description);
+}
+
+void background(XmlWriter& xml, const SvgOptions& options) {
+    if (options.background == "none") return;
+    const bool own = options.background != "theme";
+    xml.begin("rect").attribute("class", "knotwork-background");
+    xml.number("width", options.width).number("height", options.height);
+    xml.attribute("fill", own ? options.background : svgColours(options.theme).ground);
+    xml.end();
+}
+
+}  // namespace
+
+std::string svg(const scene::State& state, const SvgOptions& options) {
+    const Drawing drawing = draw(state, {.moment = options.moment,
+                                         .tolerance = lineTolerance * pixelSize(state, options),
+                                         .dark = svgColours(options.theme).dark});
+    const Orientation orientation = planeOrientation();
+    const Bounds bounds = seenBounds(drawing, orientation);
+    const Frame frame{0, 0, options.width, options.height};
+    const Aim aim = cameraAim(state, orientation, bounds, frame).value_or(aimAt(bounds, frame));
+    const PanePicture picture{Pane::curve, screenOf(orientation, aim, frame), options.theme};
+
+    XmlWriter xml(decimalsFor(options));
+    beginPicture(xml, state, options);
+    background(xml, options);
+    xml.begin("g").attribute("class", "knotwork-pane").attribute("data-pane", "curve");
+    xml.attribute("data-matrix", matrixText(picture.screen));
+    writeShapes(xml, drawing, state, picture);
+    xml.end();
+    xml.end();
+    return xml.take();
+}
+
+}  // namespace knotwork::drawing

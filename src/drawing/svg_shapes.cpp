@@ -1,0 +1,232 @@
+#include "drawing/svg_shapes.hpp"
+
+#include "drawing/curve_path.hpp"
+#include "drawing/svg_theme.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knotwork::drawing {
+
+namespace {
+
+constexpr double cubicTolerance = 0.05;  // pixels
+/// A polygon with more vertices than can be told apart is drawn as its polyline.
+constexpr std::size_t mostExactSteps = 8192;
+constexpr double borderWidth = 1.5;
+constexpr double fontSize = 13;
+
+/// Writes the data of a path; a line to where the path stands already is left out.
+class PathData {
+public:
+    explicit PathData(int decimals) : decimals_(decimals) {}
+
+    void move(const Vec3& p) {
+        last_ = pair(p);
+        start_ = last_;
+        text_ += 'M' + last_;
+    }
+    void line(const Vec3& p) {
+        std::string end = pair(p);
+        if (end == last_) return;
+        text_ += 'L' + end;
+        last_ = std::move(end);
+    }
+    void cubic(const Vec3& first, const Vec3& second, const Vec3& end) {
+        last_ = pair(end);
+        text_ += 'C' + pair(first) + ' ' + pair(second) + ' ' + last_;
+    }
+    /// Where the path is back at its start the join is one like all others.
+    void close() {
+        if (!text_.empty() && last_ == start_) text_ += 'Z';
+    }
+    [[nodiscard]] std::string take() { return std::move(text_); }
+
+private:
+    [[nodiscard]] std::string pair(const Vec3& p) const {
+        std::string text;
+        appendNumber(text, p.x, decimals_);
+        text += ',';
+        appendNumber(text, p.y, decimals_);
+        return text;
+    }
+
+    int decimals_;
+    std::string text_;
+    std::string last_;
+    std::string start_;
+};
+
+class ShapeWriter {
+public:
+    ShapeWriter(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
+                const PanePicture& picture)
+        : xml_(xml), drawing_(drawing), state_(state), picture_(picture),
+          colours_(svgColours(picture.theme)) {}
+
+    void write() {
+        for (std::size_t i = 0; i < drawing_.shapes.size();) {
+            const std::size_t end = runEnd(i, [](const Shape&, const Shape&) { return true; });
+            if (drawing_.shapes[i].pane == picture_.pane) object(i, end);
+            i = end;
+        }
+    }
+
+private:
+    /// Past the last of the shapes that are of the same pane and object as this one and like it.
+    template <class Like>
+    [[nodiscard]] std::size_t runEnd(std::size_t first, const Like& like) const {
+        const Shape& model = drawing_.shapes[first];
+        std::size_t end = first + 1;
+        while (end < drawing_.shapes.size()) {
+            const Shape& shape = drawing_.shapes[end];
+            if (shape.pane != model.pane || shape.object != model.object || !like(model, shape)) break;
+            ++end;
+        }
+        return end;
+    }
+
+    void object(std::size_t first, std::size_t last) {
+        const scene::Object& object =
+            *state_.objects[static_cast<std::size_t>(drawing_.shapes[first].object)];
+        xml_.begin("g").attribute("class", "knotwork-object").attribute("data-object", object.id);
+        xml_.attribute("data-type", scene::stringOr(object.spec, "type", ""));
+        while (first < last) {
+            const std::size_t end = runEnd(first, [](const Shape& a, const Shape& b) {
+                return a.role == b.role && a.kind == b.kind;
+            });
+            role(first, std::min(end, last));
+            first = end;
+        }
+        xml_.end();
+    }
+
+    void role(std::size_t first, std::size_t last) {
+        const Shape& model = drawing_.shapes[first];
+        const std::string name(roleName(model.role));
+        xml_.begin("g").attribute("class", "knotwork-" + name).attribute("data-role", name);
+        switch (model.kind) {
+            case Kind::polyline: lines(first, last); break;
+            case Kind::points: points(first, last); break;
+            case Kind::label: labels(first, last); break;
+            case Kind::triangles: break;
+        }
+        xml_.end();
+    }
+
+    [[nodiscard]] Vec3 at(const Shape& shape, std::size_t i) const noexcept {
+        const double* xyz = shape.positions.data() + 3 * i;
+        return picture_.screen.point({xyz[0], xyz[1], xyz[2]});
+    }
+
+    void stroke(const Shape& shape) {
+        xml_.attribute("stroke", svgColour(shape.colour, picture_.theme));
+        if (shape.colour.alpha < 1) xml_.number("stroke-opacity", shape.colour.alpha);
+        xml_.number("stroke-width", colours_.strength * static_cast<double>(shape.width));
+    }
+
+    void fill(const Shape& shape) {
+        xml_.attribute("fill", svgColour(shape.colour, picture_.theme));
+        if (shape.colour.alpha < 1) xml_.number("fill-opacity", shape.colour.alpha);
+    }
+
+    void lines(std::size_t first, std::size_t last) {
+        const Shape& model = drawing_.shapes[first];
+        xml_.attribute("fill", "none");
+        stroke(model);
+        xml_.attribute("stroke-linecap", "round").attribute("stroke-linejoin", "round");
+        for (std::size_t i = first; i < last; ++i) {
+            const Shape& shape = drawing_.shapes[i];
+            xml_.begin("path");
+            if (last - first > 1) xml_.attribute("data-index", std::to_string(shape.index));
+            if (shape.colour != model.colour || shape.width != model.width) stroke(shape);
+            if (shape.dashed) xml_.attribute("stroke-dasharray", "6 5");
+            xml_.attribute("d", pathOf(shape));
+            xml_.end();
+        }
+    }
+
+    [[nodiscard]] std::string pathOf(const Shape& shape) const {
+        if (shape.source != nullptr) {
+            const CurvePart& part = *shape.source;
+            const auto steps = curvePath(
+                {part.curve, part.part, compose(picture_.screen, part.placement)}, cubicTolerance);
+            if (steps.size() <= mostExactSteps) return pathOf(steps);
+        }
+        PathData path(xml_.decimals());
+        for (std::size_t i = 0; 3 * i < shape.positions.size(); ++i) {
+            const Vec3 p = at(shape, i);
+            if (i == 0) path.move(p);
+            else path.line(p);
+        }
+        path.close();
+        return path.take();
+    }
+
+    [[nodiscard]] std::string pathOf(const std::vector<PathStep>& steps) const {
+        PathData path(xml_.decimals());
+        for (const PathStep& step : steps) {
+            switch (step.kind) {
+                case PathStep::Kind::move: path.move(step.end); break;
+                case PathStep::Kind::line: path.line(step.end); break;
+                case PathStep::Kind::cubic: path.cubic(step.first, step.second, step.end); break;
+            }
+        }
+        path.close();
+        return path.take();
+    }
+
+    void points(std::size_t first, std::size_t last) {
+        const Shape& model = drawing_.shapes[first];
+        fill(model);
+        xml_.attribute("stroke", colours_.border).number("stroke-width", borderWidth);
+        for (std::size_t i = first; i < last; ++i) {
+            const Shape& shape = drawing_.shapes[i];
+            for (std::size_t k = 0; 3 * k < shape.positions.size(); ++k) {
+                point(shape, at(shape, k));
+                if (shape.colour != model.colour) fill(shape);
+                xml_.end();
+            }
+        }
+    }
+
+    void point(const Shape& shape, const Vec3& p) {
+        const auto size = static_cast<double>(shape.width);
+        if (shape.square) {
+            xml_.begin("rect").number("x", p.x - size / 2).number("y", p.y - size / 2);
+            xml_.number("width", size).number("height", size);
+        } else {
+            xml_.begin("circle").number("cx", p.x).number("cy", p.y).number("r", size / 2);
+        }
+    }
+
+    /// Words with a rim of the ground's colour, so that they can be read on lines.
+    void labels(std::size_t first, std::size_t last) {
+        xml_.attribute("fill", colours_.ink).attribute("stroke", colours_.ground);
+        xml_.number("stroke-width", 3).attribute("stroke-linejoin", "round");
+        xml_.attribute("paint-order", "stroke").attribute("text-anchor", "middle");
+        xml_.attribute("font-family", "sans-serif").number("font-size", fontSize);
+        for (std::size_t i = first; i < last; ++i) {
+            const Shape& shape = drawing_.shapes[i];
+            if (shape.positions.size() < 3) continue;
+            const Vec3 p = at(shape, 0);
+            xml_.begin("text").number("x", p.x).number("y", p.y);
+            xml_.text(shape.text);
+        }
+    }
+
+    XmlWriter& xml_;
+    const Drawing& drawing_;
+    const scene::State& state_;
+    const PanePicture& picture_;
+    const SvgColours& colours_;
+};
+
+}  // namespace
+
+void writeShapes(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
+                 const PanePicture& picture) {
+    ShapeWriter(xml, drawing, state, picture).write();
+}
+
+}  // namespace knotwork::drawing

@@ -1,0 +1,20 @@
+// The shapes of a pane as SVG.
+#pragma once
+
+#include "drawing/svg.hpp"
+#include "drawing/xml.hpp"
+
+namespace knotwork::drawing {
+
+/// A pane where it stands in the picture.
+struct PanePicture {
+    Pane pane = Pane::curve;
+    Affine screen;  ///< from the pane's world to pixels
+    SvgTheme theme = SvgTheme::light;
+};
+
+/// A group for each run of shapes of one object, and in it one for each run of one role.
+void writeShapes(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
+                 const PanePicture& picture);
+
+}  // namespace knotwork::drawing

@@ -1,0 +1,307 @@
+// Scenes as files for other programs, each read back by a reader of that format.
+import assert from 'node:assert/strict';
+import { mkdtemp, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import path from 'node:path';
+import { test } from 'node:test';
+import { pathToFileURL } from 'node:url';
+
+import { validateBytes } from 'gltf-validator';
+
+import { distribution, load, near, randomness, refuses } from './support.mjs';
+import { around, elementsOf, mapped, pointOn, stepsOf, unmapped } from './svg-reader.mjs';
+
+const kw = await load();
+const sceneOf = (...objects) => kw.scene({ knotwork: 1, title: 'Exported', objects });
+const { points: randomPoints } = randomness(20260);
+
+const show = { polygon: false, points: false, knots: false };
+/** @param {object} curve */
+const alone = (curve) => sceneOf({ id: 'c1', ...curve, show });
+const numbersIn = (text) => text.split(' ').map(Number);
+
+/** The path of the curve in a picture, and how the world lies in it. */
+function curveIn(svg) {
+    const elements = elementsOf(svg);
+    const found = elements.filter(({ name, parent }) => name === 'path' && parent.attributes['data-role'] === 'curve');
+    assert.equal(found.length, 1);
+    return { steps: stepsOf(found[0].attributes.d), matrix: numbersIn(around(found[0], 'data-matrix')) };
+}
+
+const forms = ['clamped', 'open', 'closed'];
+const polynomial = [
+    ...forms.flatMap((form) => [1, 2, 3].map((degree) => (
+        { type: 'bspline-curve', degree, form, points: randomPoints(7, 2) }))),
+    { type: 'bspline-curve', degree: 3, points: randomPoints(6, 2), knots: [0, 0, 0, 0, 1, 1.001, 7, 7, 7, 7] },
+    { type: 'bspline-curve', degree: 2, points: randomPoints(6, 2).map(([x, y]) => [1e5 * x, 1e5 * y]), form: 'closed' },
+    { type: 'bspline-curve', degree: 3, points: randomPoints(5, 2).map(([x, y]) => [1e-4 * x + 3, 1e-4 * y]) },
+    { type: 'bezier-curve', points: randomPoints(4, 2), domain: [-2, 5] },
+    { type: 'bezier-curve', points: randomPoints(3, 2) },
+    { type: 'line-curve', from: [1, 2], to: [3, -4] },
+];
+
+test('a curve of degree 3 or less is read back from its picture, to 1e-6 of it', () => {
+    for (const spec of polynomial) {
+        for (const [width, height] of [[800, 600], [120, 90], [1000, 1600], [4000, 300]]) {
+            const { steps, matrix } = curveIn(alone(spec).svg({ width, height }));
+            const curve = kw.curve(spec);
+            const [start, end] = curve.domain;
+            const stops = [...new Set([start, ...(curve.knots ?? []).filter((t) => start < t && t < end), end])];
+            const spans = steps.filter(({ command }) => command === 'C' || command === 'L');
+            assert.equal(spans.length, stops.length - 1, JSON.stringify(spec));
+            let from = steps[0].points[0];
+            for (const [k, step] of spans.entries()) {
+                for (const s of [0, 0.25, 0.5, 0.8, 1]) {
+                    const exact = mapped(matrix, curve.point(stops[k] + s * (stops[k + 1] - stops[k])));
+                    near(pointOn(from, step, s), exact, 1e-6 * Math.min(width, height), `${width}×${height} ${JSON.stringify(spec)}`);
+                }
+                from = step.points.at(-1);
+            }
+        }
+    }
+});
+
+test('any other curve is within a tenth of a pixel', () => {
+    for (const spec of [
+        { type: 'parametric-curve', name: 'butterfly' },
+        { type: 'parametric-curve', name: 'rose' },
+        { type: 'bspline-curve', degree: 2, points: [[1, 0], [1, 1], [0, 1]], weights: [1, Math.SQRT1_2, 1] },
+        { type: 'bspline-curve', degree: 5, points: randomPoints(9, 2) },
+        { type: 'blending-curve', bFunction: { family: 'expo-rational' }, model: { type: 'parametric-curve', name: 'circle' }, locals: { count: 5, kind: 'line' } },
+    ]) {
+        const { steps, matrix } = curveIn(alone(spec).svg());
+        const curve = kw.curve(spec);
+        let from = steps[0].points[0];
+        for (const step of steps.slice(1)) {
+            for (const s of [0.2, 0.5, 0.9, 1]) {
+                const at = unmapped(matrix, pointOn(from, step, s));
+                const { distance } = curve.closestPoint(at);
+                assert.ok(distance * matrix[0] <= 0.1, `${spec.type} ${distance * matrix[0]} pixels`);
+            }
+            from = step.points.at(-1);
+        }
+        assert.ok(steps.length < 600, `${steps.length} steps`);
+    }
+});
+
+test('an effect that is affine leaves curves exact', () => {
+    const spec = { type: 'bspline-curve', degree: 3, points: randomPoints(6, 2) };
+    const scene = kw.scene({ knotwork: 1, objects: [{ id: 'c1', ...spec, show }],
+        effects: [{ target: 'c1', kind: 'rotate', axis: [0, 0, 1], angle: 1 }, { target: 'c1', kind: 'translate', by: [2, 1, 0] }] });
+    const { steps, matrix } = curveIn(scene.svg({ phase: 0.5 }));
+    assert.deepEqual(new Set(steps.map(({ command }) => command)), new Set(['M', 'C']));
+    const shape = scene.drawing({ phase: 0.5 }).shapes.find(({ role }) => role === 'curve');
+    near(unmapped(matrix, steps.at(-1).points[2]), Array.from(shape.positions.slice(-3, -1)), 1e-5);
+    assert.notEqual(scene.svg({ phase: 0.5 }), scene.svg());
+    assert.equal(scene.svg({ phase: 1 }), scene.svg());
+});
+
+test('everything drawn lies in the picture, which keeps the aspect', () => {
+    for (const { document } of kw.scenes) {
+        const svg = kw.scene(document).svg({ width: 640, height: 400 });
+        const elements = elementsOf(svg);
+        const { attributes } = elements[0];
+        assert.equal(attributes.viewBox, '0 0 640 400');
+        for (const element of elements) {
+            if (element.name !== 'path') continue;
+            for (const { points } of stepsOf(element.attributes.d)) {
+                for (const [x, y] of points) assert.ok(x >= 0 && x <= 640 && y >= 0 && y <= 400, `${x} ${y}`);
+            }
+        }
+        const [a, , , d] = numbersIn(elements.find(({ attributes: own }) => 'data-matrix' in own).attributes['data-matrix']);
+        assert.ok(document.view?.mode === '3d' || a === -d);
+    }
+});
+
+test('a picture is named and described, and only has what every policy allows', () => {
+    const elements = elementsOf(kw.scene(kw.scenes[0].document).svg());
+    assert.equal(elements[0].name, 'svg');
+    assert.equal(elements[0].attributes.role, 'img');
+    assert.deepEqual(elements.slice(1, 3).map(({ name }) => name), ['title', 'desc']);
+    assert.equal(elements[1].text, kw.scenes[0].document.title);
+    const allowed = ['svg', 'title', 'desc', 'g', 'path', 'circle', 'rect', 'text'];
+    for (const { name, uri, attributes } of elements) {
+        assert.ok(allowed.includes(name), name);
+        assert.equal(uri, 'http://www.w3.org/2000/svg');
+        for (const key of Object.keys(attributes)) assert.doesNotMatch(key, /^(style|on|href|xlink)/);
+    }
+});
+
+test('markup in a title, a description or a name stays text', () => {
+    for (const text of ['</title><script>alert(1)</script>', '"><svg onload="x">', ']]>&lt;&#0;', 'a\0b\x1f\u{1F600}\uFFFE', '\ud800']) {
+        const scene = kw.scene({ knotwork: 1, title: text.replace('\ud800', '?'), objects: [{ id: text.replace('\ud800', '?'), type: 'parametric-curve', name: 'circle' }] });
+        for (const svg of [scene.svg(), scene.svg({ title: 'x', description: text.replace('\ud800', '?') })]) {
+            const elements = elementsOf(svg);
+            assert.ok(elements.every(({ name }) => name !== 'script'));
+            assert.equal(elements.filter(({ name }) => name === 'svg').length, 1);
+        }
+    }
+    const title = '<a> & "b" \'c\'';
+    assert.equal(elementsOf(kw.scene({ knotwork: 1, title }).svg())[1].text, title);
+});
+
+test('a picture of a size, of a theme, of a ground of its own', () => {
+    const scene = alone(polynomial[0]);
+    const ground = (options) => elementsOf(scene.svg(options)).find(({ name }) => name === 'rect')?.attributes.fill;
+    assert.equal(ground(), '#ffffff');
+    assert.equal(ground({ theme: 'dark' }), '#12151b');
+    assert.equal(ground({ theme: 'contrast' }), '#ffffff');
+    assert.equal(ground({ background: '#abcdef' }), '#abcdef');
+    assert.equal(ground({ background: 'none' }), undefined);
+    assert.equal(elementsOf(scene.svg({ title: 'Mine' }))[1].text, 'Mine');
+    assert.equal(elementsOf(scene.svg({ width: 10.5, height: 20 }))[0].attributes.viewBox, '0 0 10.5 20');
+    assert.equal(scene.svg(), scene.exportAs('svg'));
+});
+
+test('a picture has no more digits than can be seen', () => {
+    const svg = kw.scene(kw.scenes.find(({ id }) => id === 'butterfly').document).svg();
+    const paths = svg.replaceAll(/data-matrix="[^"]*"/g, '');
+    assert.doesNotMatch(paths, /\d\.\d{5}|\d[eE][-+]?\d|-0[ ,"]|\d\.\d*0[ ,"LCZM]/);
+    assert.ok(svg.length < 60_000, `${svg.length} letters`);
+});
+
+test('a document exported as JSON is the document', () => {
+    for (const { document } of kw.scenes) {
+        const scene = kw.scene(document);
+        const text = scene.exportAs('json');
+        assert.equal(JSON.stringify(JSON.parse(text)), JSON.stringify(scene.document));
+        assert.ok(text.split('\n').every((line) => line.length <= 400));
+        assert.equal(text.at(-1), '\n');
+    }
+});
+
+test('the calls in JavaScript make the same objects', async () => {
+    const objects = [
+        { id: 'c1', ...polynomial[0] }, { id: 'let', ...polynomial[2] }, { id: 'object2', ...polynomial[3] },
+        { id: "it's; \"quoted\" */ \\", type: 'formula-curve', x: 'a*t', y: 'sin(t)', parameters: { a: 2 }, domain: [0, 1] },
+        { id: 'blend', type: 'blending-curve', bFunction: { family: 'linear' }, model: { type: 'parametric-curve', name: 'circle' }, locals: { count: 3 } },
+    ];
+    const code = sceneOf(...objects).exportAs('js');
+    assert.match(code, /^import \{ load \} from 'knotwork';\n\nconst kw = await load\(\);\n\nconst c1 = kw\.curve\(\{ ?\n?/);
+    const folder = await mkdtemp(path.join(tmpdir(), 'knotwork-export-'));
+    try {
+        const file = path.join(folder, 'made.mjs');
+        const names = Array.from(code.matchAll(/^const (\S+) = kw\.curve/gm), ([, name]) => name);
+        assert.deepEqual(names, ['c1', 'object2', 'object2_', 'object4', 'blend']);
+        const module = new URL('knotwork.mjs', distribution).href;
+        await writeFile(file, `${code.replace("'knotwork'", JSON.stringify(module))}\nexport const made = [${names}];\n`);
+        const { made } = await import(pathToFileURL(file).href);
+        for (const [i, curve] of made.entries()) {
+            const { id: _, ...spec } = objects[i];
+            assert.deepEqual(curve.spec, kw.curve(spec).spec);
+        }
+    } finally {
+        await rm(folder, { recursive: true });
+    }
+});
+
+/** @param {string} text */
+const rowsOf = (text) => text.trimEnd().split('\n').map((line) => line.split(','));
+
+test('CSV has a row for every point, exactly', () => {
+    const curve = kw.curve(polynomial[2]);
+    const [header, ...rows] = rowsOf(alone(polynomial[2]).exportAs('csv', { tolerance: 1e-3 }));
+    assert.deepEqual(header, ['object', 't', 'x', 'y', 'z']);
+    const { points, parameters } = curve.polyline({ tolerance: 1e-3 });
+    assert.deepEqual(rows.map(([, t]) => Number(t)), Array.from(parameters));
+    assert.deepEqual(rows.flatMap((row) => row.slice(2).map(Number)), Array.from(points));
+    assert.ok(rows.every(([object]) => object === 'c1'));
+    const named = sceneOf({ id: 'a,"b"', ...polynomial[0] }).exportAs('csv');
+    assert.match(named, /\n"a,""b""",/);
+});
+
+test('OBJ has an object each, with its lines', () => {
+    const text = sceneOf({ id: 'first one', ...polynomial[0] }, { id: 'ring', ...polynomial[8] }).exportAs('obj', { tolerance: 0.1 });
+    const lines = text.split('\n');
+    assert.deepEqual(lines.filter((line) => line.startsWith('o ')), ['o first_one', 'o ring']);
+    const vertices = lines.filter((line) => line.startsWith('v ')).map((line) => line.slice(2).split(' ').map(Number));
+    const strips = lines.filter((line) => line.startsWith('l ')).map((line) => line.slice(2).split(' ').map(Number));
+    const { points } = kw.curve(polynomial[8]).polyline({ tolerance: 0.1 });
+    assert.deepEqual(strips[1].flatMap((i) => vertices[i - 1]), Array.from(points));
+    assert.equal(strips.flat().length, vertices.length);
+});
+
+/** @param {Uint8Array} bytes */
+async function gltfProblems(bytes) {
+    const { issues, info } = await validateBytes(bytes, { maxIssues: 20 });
+    assert.deepEqual(issues.messages.filter(({ severity }) => severity < 3).map(({ code, pointer }) => `${code} ${pointer}`), []);
+    return info;
+}
+
+test('glTF is valid, as one text and as one file', async () => {
+    for (const { id, document } of kw.scenes) {
+        const scene = kw.scene(document);
+        const text = scene.exportAs('gltf');
+        const info = await gltfProblems(new TextEncoder().encode(text));
+        assert.equal(info.version, '2.0', id);
+        const binary = await gltfProblems(scene.exportAs('glb'));
+        assert.equal(binary.totalVertexCount, info.totalVertexCount);
+        assert.ok(info.totalVertexCount > 2);
+    }
+    await gltfProblems(new TextEncoder().encode(kw.scene({ knotwork: 1 }).exportAs('gltf')));
+    await gltfProblems(kw.scene({ knotwork: 1 }).exportAs('glb'));
+});
+
+test('glTF holds the points of a curve, its colour in linear light and its name', () => {
+    const gltf = JSON.parse(sceneOf({ id: 'c1', ...polynomial[0], style: { colour: '#ff8000' } }).exportAs('gltf', { tolerance: 0.1 }));
+    const [uri, data] = gltf.buffers[0].uri.split(',');
+    assert.equal(uri, 'data:application/octet-stream;base64');
+    const bytes = Buffer.from(data, 'base64');
+    const { points } = kw.curve(polynomial[0]).polyline({ tolerance: 0.1 });
+    const floats = new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+    assert.deepEqual(Array.from(floats), Array.from(new Float32Array(points)));
+    assert.equal(gltf.meshes[0].primitives[0].mode, 3);
+    assert.equal(gltf.nodes[0].name, 'c1');
+    near(gltf.materials[0].pbrMetallicRoughness.baseColorFactor, [1, 0.2158605, 0, 1], 1e-6);
+});
+
+test('what is not finite is left out', async () => {
+    const pole = { id: 'c1', type: 'formula-curve', x: 't', y: '1/(t - 1)', domain: [0, 2] };
+    let scene;
+    try {
+        scene = sceneOf(pole);
+    } catch {
+        return; // refused on entry, which is as good
+    }
+    for (const format of ['csv', 'obj', 'gltf']) {
+        assert.doesNotMatch(scene.exportAs(format, { tolerance: 0.5 }), /nan|inf|null/i);
+    }
+    elementsOf(scene.svg());
+});
+
+test('STL needs faces', () => {
+    refuses(() => alone(polynomial[0]).exportAs('stl'), 'NOT_SUPPORTED', 'format');
+});
+
+test('refusals name the option', () => {
+    const scene = alone(polynomial[0]);
+    refuses(() => scene.svg({ width: 0 }), 'OUT_OF_RANGE', 'width');
+    refuses(() => scene.svg({ height: 1e9 }), 'TOO_LARGE', 'height');
+    refuses(() => scene.svg({ width: '800' }), 'WRONG_TYPE', 'width');
+    refuses(() => scene.svg({ height: NaN }), 'NOT_FINITE', 'height');
+    refuses(() => scene.svg({ theme: 'sepia' }), 'UNKNOWN_NAME', 'theme');
+    refuses(() => scene.svg({ phase: 1.5 }), 'OUT_OF_RANGE', 'phase');
+    refuses(() => scene.svg({ phase: 0.5, time: 1 }), 'UNKNOWN_FIELD', 'time');
+    refuses(() => scene.svg({ background: 'url(x)' }), 'SYNTAX', 'background');
+    refuses(() => scene.svg({ title: 5 }), 'WRONG_TYPE', 'title');
+    refuses(() => scene.svg({ tolerance: 1 }), 'UNKNOWN_FIELD', 'tolerance');
+    refuses(() => scene.svg(null), 'WRONG_TYPE', '');
+    refuses(() => scene.exportAs('pdf'), 'UNKNOWN_NAME', 'format');
+    refuses(() => scene.exportAs('csv', { tolerance: 0 }), 'OUT_OF_RANGE', 'tolerance');
+    const ring = alone({ type: 'parametric-curve', name: 'circle' });
+    refuses(() => ring.exportAs('csv', { tolerance: 1e-18 }), 'TOO_LARGE', 'tolerance');
+    refuses(() => scene.exportAs('obj', { width: 5 }), 'UNKNOWN_FIELD', 'width');
+    const gone = alone(polynomial[0]);
+    gone.dispose();
+    refuses(() => gone.svg(), 'DISPOSED');
+});
+
+test('an export leaves nothing behind', () => {
+    const scene = kw.scene(kw.scenes[0].document);
+    const all = () => ['svg', 'json', 'js', 'csv', 'obj', 'gltf', 'glb'].forEach((format) => scene.exportAs(format));
+    all();
+    const before = kw.session.memoryInUse();
+    for (let i = 0; i < 5; ++i) all();
+    assert.ok(Math.abs(kw.session.memoryInUse() - before) <= 64);
+});
+
