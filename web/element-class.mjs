@@ -113,13 +113,15 @@ export class KnotworkFigure extends Base {
     }
 
     /**
-     * What is shown as a file: the document as `json`, the picture as `png`.
+     * What is shown as a file: the picture as `png` or `svg`, the document as `json`, the calls that
+     * make its objects as `js`, and the objects as `csv`, `obj`, `stl`, `gltf` or `glb`.
      * @param {string} format
+     * @param {object} [options] as scene.exportAs() takes them
      */
-    async exportAs(format) {
+    async exportAs(format, options) {
         const scene = this.#figure?.scene;
         if (!this.#figure || !scene) throw new KnotworkError('DISPOSED', '', 'The figure shows nothing yet.');
-        return exportFigure({ scene, canvas: this.#figure.view.canvas }, format);
+        return exportFigure({ scene, canvas: this.#figure.view.canvas, theme: this.#wishes().theme }, format, options);
     }
 
     /** Frees everything at once; an element put into a page again begins anew. */

@@ -9,7 +9,7 @@ export const exportFormats = /** @type {const} */ (['svg', 'json', 'js', 'csv', 
 
 const binary = ['stl', 'glb'];
 const moments = ['phase', 'time'];
-const pictureOptions = [...moments, 'width', 'height', 'theme', 'title', 'description', 'background'];
+const pictureOptions = [...moments, 'width', 'height', 'theme', 'title', 'description', 'background', 'panes'];
 const geometryOptions = [...moments, 'tolerance'];
 
 const utf8 = new TextDecoder();

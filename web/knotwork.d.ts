@@ -917,6 +917,8 @@ export interface SvgOptions extends MomentOptions {
     description?: string;
     /** `theme` (default), `none`, or a colour as `#rrggbb`. */
     background?: string;
+    /** Which of the linked views are in it; default the curve alone. */
+    panes?: readonly ('curve' | 'basis' | 'knots' | 'bFunction')[];
 }
 
 export interface ExportOptions extends MomentOptions {

@@ -41,6 +41,8 @@ constexpr std::array pictureFields{
           .help = "In place of the document's."},
     Field{.name = "background", .label = "Background", .kind = FieldKind::text,
           .help = "theme, none or #rrggbb.", .defaultJson = "\"theme\""},
+    Field{.name = "panes", .label = "Panes", .kind = FieldKind::panes,
+          .help = "Which of the linked views are in it.", .defaultJson = "[\"curve\"]"},
 };
 
 constexpr std::array geometryFields{
@@ -79,6 +81,17 @@ drawing::SvgTheme themeOf(const Json& fields) {
     return static_cast<drawing::SvgTheme>(found - themes.begin());
 }
 
+std::vector<drawing::Pane> panesOf(const Json& fields) {
+    std::vector<drawing::Pane> panes;
+    for (const drawing::Pane pane : {drawing::Pane::curve, drawing::Pane::basis,
+                                     drawing::Pane::knots, drawing::Pane::bFunction}) {
+        const Json* list = scene::member(fields, "panes");
+        const Json name(drawing::paneName(pane));
+        if (std::find(list->begin(), list->end(), name) != list->end()) panes.push_back(pane);
+    }
+    return panes;
+}
+
 Result<std::string> picture(const scene::State& state, const Json& fields) {
     auto moment = momentOf(fields);
     if (!moment) return moment.error();
@@ -89,6 +102,7 @@ Result<std::string> picture(const scene::State& state, const Json& fields) {
     options.theme = themeOf(fields);
     options.title = textOf(fields, "title");
     options.description = textOf(fields, "description");
+    options.panes = panesOf(fields);
     options.background = scene::stringOr(fields, "background", "theme");
     if (auto colour = checkBackground(options.background); !colour) return colour.error();
     return drawing::svg(state, options);

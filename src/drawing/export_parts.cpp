@@ -38,7 +38,15 @@ public:
     }
 
 private:
-    Result<Done> add(const scene::Placed& placed) { return curve(placed, placed.curve); }
+    Result<Done> add(const scene::Placed& placed) {
+        const scene::Body& body = placed.body;
+        if (body.curve() != nullptr) return curve(placed, *body.curve());
+        if (body.surface() != nullptr) return surface(placed, *body.surface());
+        if (body.subdivision() != nullptr) mesh(placed, body.subdivision()->refined);
+        if (body.cloud() == nullptr) return Done{};
+        points(placed, body.cloud()->points);
+        return body.cloud()->fit ? curve(placed, body.cloud()->fit->curve) : Done{};
+    }
 
     ExportPart& begin(const scene::Placed& placed, ExportPart::Kind kind) {
         ExportPart part;
@@ -72,6 +80,7 @@ private:
     }
 
     void points(const scene::Placed& placed, const std::vector<Vec3>& points) {
+        if (points.empty()) return;
         ExportPart& part = begin(placed, ExportPart::Kind::points);
         for (const Vec3& p : points) place(part, placed, p);
     }

@@ -54,7 +54,23 @@ std::string inJavaScript(const Json& value) {
 /// `kw.curve({ … })`, or whatever makes this object.
 std::string callFor(const scene::Object& object) {
     const Json spec = specWithout(object.spec, {"id", "style", "show"});
-    return "kw.curve(" + inJavaScript(spec) + ")";
+    if (object.body.curve() != nullptr) return "kw.curve(" + inJavaScript(spec) + ")";
+    if (object.body.surface() != nullptr) return "kw.surface(" + inJavaScript(spec) + ")";
+    const Json* mesh = scene::member(spec, "mesh");
+    if (mesh != nullptr) {
+        const std::string scheme = scene::stringOr(spec, "scheme", "");
+        const auto levels = static_cast<int>(scene::numberOr(spec, "levels", 0));
+        return "kw.mesh(" + inJavaScript(*mesh) + ").subdivide(" +
+               scene::javaScriptString(scheme) + ", " + std::to_string(levels) + ")";
+    }
+    const Json* points = scene::member(spec, "points");
+    const Json* fit = scene::member(spec, "fit");
+    if (fit == nullptr || !fit->is_object()) {
+        return points != nullptr ? inJavaScript(*points) : inJavaScript(spec);
+    }
+    Json request{{"points", points != nullptr ? *points : Json::array()}};
+    request.update(*fit);
+    return "kw.fit(" + inJavaScript(request) + ").curve";
 }
 
 // ---- CSV ---------------------------------------------------------------------------------------

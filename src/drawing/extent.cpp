@@ -7,6 +7,23 @@ namespace knotwork::drawing {
 namespace {
 
 constexpr std::size_t samples = 65;
+constexpr std::size_t surfaceSamples = 17;  // each way
+
+void addPoints(Bounds& bounds, std::span<const Vec3> points, const Affine& placement) {
+    for (const Vec3& p : points) bounds.add(placement.point(p));
+}
+
+void addSurface(Bounds& bounds, const Surface& surface, const Affine& placement) {
+    const auto [u, v] = domain(surface);
+    for (std::size_t i = 0; i < surfaceSamples; ++i) {
+        for (std::size_t j = 0; j < surfaceSamples; ++j) {
+            const SurfacePlace at{uniformParameter(u, i, surfaceSamples),
+                                  uniformParameter(v, j, surfaceSamples)};
+            const Vec3 p = placement.point(pointAt(surface, at));
+            if (isFinite(p)) bounds.add(p);
+        }
+    }
+}
 
 void addCurve(Bounds& bounds, const Curve& curve, const Affine& placement) {
     const Interval whole = domain(curve);
@@ -21,7 +38,13 @@ void addCurve(Bounds& bounds, const Curve& curve, const Affine& placement) {
 Bounds roughBounds(const scene::State& state, const scene::Moment& moment) {
     Bounds bounds;
     for (const scene::Placed& placed : scene::place(state, moment)) {
-        addCurve(bounds, placed.curve, placed.placement);
+        const scene::Body& body = placed.body;
+        if (body.curve() != nullptr) addCurve(bounds, *body.curve(), placed.placement);
+        if (body.surface() != nullptr) addSurface(bounds, *body.surface(), placed.placement);
+        if (body.subdivision() != nullptr) {
+            addPoints(bounds, body.subdivision()->control.points(), placed.placement);
+        }
+        if (body.cloud() != nullptr) addPoints(bounds, body.cloud()->points, placed.placement);
     }
     return bounds;
 }

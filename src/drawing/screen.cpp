@@ -10,12 +10,10 @@ namespace {
 constexpr double share = 0.06;      // of the frame's smaller side that stays free at each edge
 constexpr double leastMargin = 10;  // pixels: half of the largest point and a little
 constexpr double emptyHeight = 2.5; // units
-constexpr double azimuth = -0.95;   // radians
-constexpr double elevation = 0.45;
 
 }  // namespace
 
-Orientation solidOrientation() noexcept {
+Orientation orientationFrom(double azimuth, double elevation) noexcept {
     const double ca = std::cos(azimuth), sa = std::sin(azimuth);
     const double ce = std::cos(elevation), se = std::sin(elevation);
     // GLM's matrices are written column by column: what x, y and z contribute.

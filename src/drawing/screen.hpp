@@ -12,8 +12,13 @@ using Orientation = Mat3;
 /// Looking down on the plane z = 0.
 [[nodiscard]] inline Orientation planeOrientation() noexcept { return Orientation{1.0}; }
 
-/// From the front right and a little above, z upwards: how a solid is usually drawn.
-[[nodiscard]] Orientation solidOrientation() noexcept;
+/// From an eye that stands so many radians round the z-axis, from the x-axis, and above the plane
+/// z = 0; z points upwards.
+[[nodiscard]] Orientation orientationFrom(double azimuth, double elevation) noexcept;
+
+/// The front right and a little above: how a solid is usually drawn.
+inline constexpr double usualAzimuth = -0.95;
+inline constexpr double usualElevation = 0.45;
 
 /// CSS pixels of a picture, from its upper left corner.
 struct Frame {

@@ -2,6 +2,7 @@
 
 #include "drawing/extent.hpp"
 #include "drawing/screen.hpp"
+#include "drawing/svg_plots.hpp"
 #include "drawing/svg_shapes.hpp"
 #include "drawing/svg_theme.hpp"
 #include "scene/json_values.hpp"
@@ -33,6 +34,15 @@ std::string_view themeName(SvgTheme theme) noexcept {
 const scene::Json* cameraOf(const scene::State& state) noexcept {
     const scene::Json* view = scene::member(*state.header, "view");
     return view != nullptr ? scene::member(*view, "camera") : nullptr;
+}
+
+Orientation orientationOf(const scene::State& state) {
+    const scene::Json* view = scene::member(*state.header, "view");
+    if (view == nullptr || scene::stringOr(*view, "mode", "") != "3d") return planeOrientation();
+    const scene::Json* camera = cameraOf(state);
+    if (camera == nullptr) return orientationFrom(usualAzimuth, usualElevation);
+    return orientationFrom(scene::numberOr(*camera, "azimuth", usualAzimuth),
+                           scene::numberOr(*camera, "elevation", usualElevation));
 }
 
 /// How much of the world the document's camera shows from top to bottom, or 0.
@@ -112,19 +122,23 @@ std::string svg(const scene::State& state, const SvgOptions& options) {
     const Drawing drawing = draw(state, {.moment = options.moment,
                                          .tolerance = lineTolerance * pixelSize(state, options),
                                          .dark = svgColours(options.theme).dark});
-    const Orientation orientation = planeOrientation();
+    const Orientation orientation = orientationOf(state);
     const Bounds bounds = seenBounds(drawing, orientation);
-    const Frame frame{0, 0, options.width, options.height};
+    const SvgLayout layout = svgLayout({0, 0, options.width, options.height}, drawing, options.panes);
+    const Frame& frame = layout.curve;
     const Aim aim = cameraAim(state, orientation, bounds, frame).value_or(aimAt(bounds, frame));
-    const PanePicture picture{Pane::curve, screenOf(orientation, aim, frame), options.theme};
+    const PanePicture picture{Pane::curve, screenOf(orientation, aim, frame), options.theme, -1, -1};
 
     XmlWriter xml(decimalsFor(options));
     beginPicture(xml, state, options);
     background(xml, options);
-    xml.begin("g").attribute("class", "knotwork-pane").attribute("data-pane", "curve");
-    xml.attribute("data-matrix", matrixText(picture.screen));
-    writeShapes(xml, drawing, state, picture);
-    xml.end();
+    if (frame.height > 0) {
+        xml.begin("g").attribute("class", "knotwork-pane").attribute("data-pane", "curve");
+        xml.attribute("data-matrix", matrixText(picture.screen));
+        writeShapes(xml, drawing, state, picture);
+        xml.end();
+    }
+    writePlots(xml, drawing, state, layout, options.theme);
     xml.end();
     return xml.take();
 }

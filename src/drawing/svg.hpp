@@ -11,6 +11,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace knotwork::drawing {
 
@@ -23,10 +24,13 @@ struct SvgOptions {
     scene::Moment moment{};
     std::optional<std::string> title{};      ///< in place of the document's
     std::optional<std::string> description{};
+    /// Which panes there are, in any order; those that nothing of the scene is in are left out.
+    std::vector<Pane> panes{Pane::curve};
     std::string background = "theme";  ///< that of the theme, `none`, or a colour as `#rrggbb`
 };
 
-/// The curve pane of the scene. Rounding a number moves its point by less than 5e-4 pixels and less
+/// The panes that are asked for: the curve, and the plots of the first object that has some below
+/// it. Rounding a number moves its point by less than 5e-4 pixels and less
 /// than 3e-7 of the picture's smaller side.
 [[nodiscard]] std::string svg(const scene::State& state, const SvgOptions& options);
 

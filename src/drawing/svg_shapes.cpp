@@ -1,6 +1,7 @@
 #include "drawing/svg_shapes.hpp"
 
 #include "drawing/curve_path.hpp"
+#include "drawing/svg_solid.hpp"
 #include "drawing/svg_theme.hpp"
 
 #include <algorithm>
@@ -67,23 +68,33 @@ public:
     void write() {
         for (std::size_t i = 0; i < drawing_.shapes.size();) {
             const std::size_t end = runEnd(i, [](const Shape&, const Shape&) { return true; });
-            if (drawing_.shapes[i].pane == picture_.pane) object(i, end);
+            if (picture_.shows(drawing_.shapes[i])) object(i, end);
             i = end;
         }
     }
 
 private:
-    /// Past the last of the shapes that are of the same pane and object as this one and like it.
+    /// Past the last of the shapes that are of the same object as this one, like it, and shown or not
+    /// as it is.
     template <class Like>
     [[nodiscard]] std::size_t runEnd(std::size_t first, const Like& like) const {
         const Shape& model = drawing_.shapes[first];
         std::size_t end = first + 1;
         while (end < drawing_.shapes.size()) {
             const Shape& shape = drawing_.shapes[end];
-            if (shape.pane != model.pane || shape.object != model.object || !like(model, shape)) break;
+            const bool together = shape.object == model.object &&
+                                  picture_.shows(shape) == picture_.shows(model);
+            if (!together || !like(model, shape)) break;
             ++end;
         }
         return end;
+    }
+
+    [[nodiscard]] bool isSolid(std::size_t first, std::size_t last) const {
+        const auto begin = drawing_.shapes.begin();
+        return std::any_of(begin + static_cast<std::ptrdiff_t>(first),
+                           begin + static_cast<std::ptrdiff_t>(last),
+                           [](const Shape& shape) { return shape.kind == Kind::triangles; });
     }
 
     void object(std::size_t first, std::size_t last) {
@@ -91,11 +102,15 @@ private:
             *state_.objects[static_cast<std::size_t>(drawing_.shapes[first].object)];
         xml_.begin("g").attribute("class", "knotwork-object").attribute("data-object", object.id);
         xml_.attribute("data-type", scene::stringOr(object.spec, "type", ""));
+        const bool solid = isSolid(first, last);
+        if (solid) {
+            writeSolid(xml_, std::span(drawing_.shapes).subspan(first, last - first), picture_);
+        }
         while (first < last) {
             const std::size_t end = runEnd(first, [](const Shape& a, const Shape& b) {
                 return a.role == b.role && a.kind == b.kind;
             });
-            role(first, std::min(end, last));
+            if (!solid || !belongsToSolid(drawing_.shapes[first])) role(first, end);
             first = end;
         }
         xml_.end();

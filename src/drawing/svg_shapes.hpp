@@ -11,6 +11,13 @@ struct PanePicture {
     Pane pane = Pane::curve;
     Affine screen;  ///< from the pane's world to pixels
     SvgTheme theme = SvgTheme::light;
+    int object = -1;  ///< only this one, or all
+    int index = -1;   ///< only the shapes with this index, or all
+
+    [[nodiscard]] bool shows(const Shape& shape) const noexcept {
+        return shape.pane == pane && (object < 0 || shape.object == object) &&
+               (index < 0 || shape.index == index);
+    }
 };
 
 /// A group for each run of shapes of one object, and in it one for each run of one role.

@@ -5,9 +5,9 @@
 #pragma once
 
 #include "drawing/drawing.hpp"
+#include "drawing/ticks.hpp"
 #include "ui/plane_map.hpp"
 #include "ui/theme.hpp"
-#include "ui/ticks.hpp"
 
 #include <string>
 #include <vector>
@@ -17,6 +17,11 @@ namespace knotwork::ui {
 using drawing::Colour;
 using drawing::Pane;
 using drawing::Shape;
+using drawing::Tick;
+using drawing::niceStep;
+using drawing::niceTicks;
+using drawing::numberText;
+using drawing::ticksEvery;
 
 enum class Align { left, centre, right };
 enum class Baseline { top, middle, bottom };

@@ -1,7 +1,9 @@
 #include "drawing/svg.hpp"
 
-#include "drawing/svg_theme.hpp"
 #include "drawing/palette.hpp"
+#include "drawing/screen.hpp"
+#include "drawing/svg_shapes.hpp"
+#include "drawing/svg_theme.hpp"
 #include "drawing/xml.hpp"
 #include "scene/builtin.hpp"
 
@@ -144,6 +146,47 @@ TEST(Svg, AClosedCurveEndsInItsStart) {
     const std::string path = attributeOf(text.substr(text.find("<path")), "d");
     EXPECT_EQ(path.back(), 'Z');
     EXPECT_EQ(path.find('L'), std::string::npos);
+}
+
+TEST(Svg, AViewInSpaceLooksFromItsAzimuthAndElevation) {
+    const auto close = [](const Vec3& a, const Vec3& b) { return glm::length(a - b) < 1e-15; };
+    const Orientation front = orientationFrom(0, 0);
+    EXPECT_TRUE(close(front * Vec3(0, 1, 0), {1, 0, 0}));  // y to the right
+    EXPECT_TRUE(close(front * Vec3(0, 0, 1), {0, 1, 0}));  // z up
+    EXPECT_TRUE(close(front * Vec3(1, 0, 0), {0, 0, 1}));  // x towards the eye
+    const Orientation above = orientationFrom(0.3, std::acos(0.0));
+    EXPECT_TRUE(close(above * Vec3(0, 0, 1), {0, 0, 1}));
+    const Orientation any = orientationFrom(usualAzimuth, usualElevation);
+    EXPECT_NEAR(glm::determinant(any), 1, 1e-15);
+    EXPECT_GT((any * Vec3(0, 0, 1)).y, 0.8);
+}
+
+TEST(Svg, WhatIsFartherAwayIsPaintedFirst) {
+    const Scene scene = opened(R"({"knotwork": 1, "objects": [{"id": "s",
+        "type": "parametric-surface", "name": "plane"}]})");
+    Shape near;
+    near.role = Role::surface;
+    near.kind = Kind::triangles;
+    near.colour = {1, 0, 0, 1};
+    near.positions = {0, 0, 2, 10, 0, 2, 0, 10, 2};
+    Shape far = near;
+    far.colour = {0, 0, 1, 1};
+    far.positions = {0, 0, 1, 10, 0, 1, 0, 10, 1};
+    Shape line;
+    line.role = Role::isoline;
+    line.positions = {1, 1, 1, 2, 1, 1};
+    Drawing drawing;
+    drawing.shapes = {near, far, line};
+    const Affine screen = screenOf(planeOrientation(), {5, 5, 1}, {0, 0, 10, 10});
+    XmlWriter xml(2);
+    writeShapes(xml, drawing, scene.state(), {Pane::curve, screen, SvgTheme::light});
+    const std::string text = xml.take();
+    const std::size_t blue = text.find("#0000");
+    const std::size_t grey = text.find("data-role=\"isoline\"");
+    const std::size_t red = text.find("M0,10L10,10L0,0Z", text.find("M0,10L10,10L0,0Z") + 1);
+    EXPECT_LT(blue, grey) << text;
+    EXPECT_LT(grey, red) << text;
+    EXPECT_NE(text.find("M1,9L2,9"), std::string::npos) << text;
 }
 
 }  // namespace

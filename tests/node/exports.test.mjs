@@ -153,6 +153,33 @@ test('a picture of a size, of a theme, of a ground of its own', () => {
     assert.equal(scene.svg(), scene.exportAs('svg'));
 });
 
+test('the plots stand below the curve, each with its ticks', () => {
+    const { document } = kw.scenes.find(({ id }) => id === 'b-functions');
+    const scene = kw.scene(document);
+    const panes = ['curve', 'basis', 'knots', 'bFunction'];
+    const elements = elementsOf(scene.svg({ panes, width: 900, height: 700 }));
+    const shown = elements.filter(({ attributes }) => attributes['data-pane']).map(({ attributes }) => attributes['data-pane']);
+    assert.deepEqual(shown, ['curve', 'basis', 'knots', 'bFunction', 'bFunction', 'bFunction']);
+    const areas = elements.filter(({ attributes }) => attributes.class === 'knotwork-plot').map(({ attributes }) => attributes);
+    for (const { x, y, width, height } of areas) {
+        assert.ok(Number(x) >= 0 && Number(x) + Number(width) <= 900 && Number(y) > 350 && Number(y) + Number(height) <= 700);
+    }
+    // Every function lies in the area of its plot, and the basis functions sum to 1 at the top of it.
+    for (const element of elements.filter(({ name, parent }) => name === 'path' && parent.attributes['data-role'] === 'basis')) {
+        const { x, y, width, height } = areas[0];
+        for (const { points: [[px, py]] } of stepsOf(element.attributes.d)) {
+            assert.ok(px >= Number(x) - 1e-3 && px <= Number(x) + Number(width) + 1e-3);
+            assert.ok(py >= Number(y) - 1e-3 && py <= Number(y) + Number(height) + 1e-3);
+        }
+    }
+    const ticks = elements.filter(({ name }) => name === 'text').map(({ text }) => text);
+    assert.ok(ticks.includes('0') && ticks.includes('1') && ticks.length > 8);
+    assert.deepEqual(elementsOf(scene.svg({ panes: ['knots'] })).flatMap(({ attributes }) => attributes['data-pane'] ?? []), ['knots']);
+    assert.equal(scene.svg({ panes: ['curve'] }), scene.svg());
+    const alonePanes = elementsOf(alone({ type: 'parametric-curve', name: 'circle' }).svg({ panes }));
+    assert.deepEqual(alonePanes.flatMap(({ attributes }) => attributes['data-pane'] ?? []), ['curve']);
+});
+
 test('a picture has no more digits than can be seen', () => {
     const svg = kw.scene(kw.scenes.find(({ id }) => id === 'butterfly').document).svg();
     const paths = svg.replaceAll(/data-matrix="[^"]*"/g, '');
@@ -269,6 +296,88 @@ test('what is not finite is left out', async () => {
     elementsOf(scene.svg());
 });
 
+const solids = [
+    { id: 'torus', type: 'parametric-surface', name: 'torus', style: { colour: '#3366cc' } },
+    { id: 'cube', type: 'subdivision-surface', scheme: 'catmull-clark', levels: 2, mesh: { solid: 'cube' } },
+    { id: 'data', type: 'point-cloud', points: [[0, 0], [1, 2], [3, 1], [4, 4], [6, 0]] },
+    { id: 'fitted', type: 'point-cloud', points: randomPoints(20, 3), fit: { degree: 3, count: 6 } },
+    { id: 'c1', ...polynomial[0] },
+];
+
+/** The triangles of a binary STL. @param {Uint8Array} bytes */
+function facetsOf(bytes) {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
+    const count = view.getUint32(80, true);
+    assert.equal(bytes.length, 84 + 50 * count);
+    assert.notEqual(new TextDecoder().decode(bytes.subarray(0, 5)), 'solid');
+    return Array.from({ length: count }, (_, i) => [0, 1, 2, 3].map((k) =>
+        [0, 1, 2].map((c) => view.getFloat32(84 + 50 * i + 12 * k + 4 * c, true))));
+}
+
+const minus = (a, b) => a.map((x, c) => x - b[c]);
+const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+const dot = (a, b) => a.reduce((sum, x, c) => sum + x * b[c], 0);
+
+/** The volume that closed facets enclose, positive where they look outwards. */
+const volumeOf = (facets) => facets.reduce((sum, [, a, b, c]) => sum + dot(a, cross(b, c)) / 6, 0);
+
+test('STL is closed, looks outwards and has the volume of the solid', () => {
+    const torus = facetsOf(sceneOf(solids[0]).exportAs('stl', { tolerance: 1e-3 }));
+    near(volumeOf(torus), 2 * Math.PI ** 2 * 2, 0.02);
+    for (const [normal, a, b, c] of torus) {
+        const across = cross(minus(b, a), minus(c, a));
+        near(dot(normal, across) / Math.hypot(...across), 1, 1e-4);
+    }
+    const cube = facetsOf(sceneOf({ ...solids[1], scheme: 'catmull-clark', levels: 0 }).exportAs('stl'));
+    assert.equal(cube.length, 12);
+    near(volumeOf(cube), 8, 1e-6);
+});
+
+test('surfaces, meshes and clouds go into every format', async () => {
+    const scene = sceneOf(...solids);
+    const text = scene.exportAs('gltf');
+    await gltfProblems(new TextEncoder().encode(text));
+    const info = await gltfProblems(scene.exportAs('glb'));
+    assert.equal(info.drawCallCount, 6);
+    assert.deepEqual(JSON.parse(text).meshes.map(({ primitives: [{ mode }] }) => mode), [4, 4, 0, 0, 3, 3]);
+
+    const obj = scene.exportAs('obj');
+    const mesh = kw.mesh({ obj: sceneOf(solids[1]).exportAs('obj') });
+    const exact = kw.mesh({ solid: 'cube' }).subdivide('catmull-clark', 2);
+    assert.deepEqual(mesh.vertices, exact.vertices);
+    assert.deepEqual(mesh.faces, exact.faces);
+    assert.match(obj, /\no data\nv 0 0 0\nv 1 2 0\n[^]*\np \d+ \d+ \d+ \d+ \d+\n/);
+    const torus = kw.mesh({ obj: sceneOf(solids[0]).exportAs('obj') });
+    assert.equal(torus.counts.boundaryEdges, 0);
+    assert.equal(torus.counts.vertices - torus.counts.edges + torus.counts.faces, 0);
+
+    const [header, ...rows] = rowsOf(scene.exportAs('csv', { tolerance: 0.05 }));
+    assert.deepEqual(header, ['object', 't', 'u', 'v', 'x', 'y', 'z']);
+    assert.ok(rows.every((row) => row.length === 7));
+    const surface = kw.surface({ type: 'parametric-surface', name: 'torus' });
+    for (const [name, t, u, v, x, y, z] of rows) {
+        if (name === 'torus') near(surface.point(Number(u), Number(v)), [x, y, z].map(Number), 1e-12);
+        else assert.equal(u + v, '');
+        assert.equal(t === '', name === 'torus' || name === 'cube' || name === 'data' || (name === 'fitted' && t === ''));
+    }
+    assert.deepEqual(rows.find(([name]) => name === 'data').slice(4), ['0', '0', '0']);
+});
+
+test('a turned solid still looks outwards', () => {
+    const scene = kw.scene({ knotwork: 1, objects: [solids[1]],
+        effects: [{ target: 'cube', kind: 'rotate', axis: [1, 0, 0], angle: 1 }] });
+    near(volumeOf(facetsOf(scene.exportAs('stl', { phase: 0.5 }))), volumeOf(facetsOf(scene.exportAs('stl'))), 1e-5);
+});
+
+test('the calls in JavaScript make surfaces, meshes and fits', () => {
+    const code = sceneOf(...solids).exportAs('js');
+    const made = new Function('kw', `${code.slice(code.indexOf('const torus'))}\nreturn { torus, cube, data, fitted };`)(kw);
+    assert.deepEqual(made.torus.spec, kw.surface({ type: 'parametric-surface', name: 'torus' }).spec);
+    assert.deepEqual(made.cube.vertices, kw.mesh({ solid: 'cube' }).subdivide('catmull-clark', 2).vertices);
+    assert.deepEqual(made.data, solids[2].points);
+    assert.deepEqual(made.fitted.spec, kw.fit({ points: solids[3].points, degree: 3, count: 6 }).curve.spec);
+});
+
 test('STL needs faces', () => {
     refuses(() => alone(polynomial[0]).exportAs('stl'), 'NOT_SUPPORTED', 'format');
 });
@@ -285,6 +394,7 @@ test('refusals name the option', () => {
     refuses(() => scene.svg({ background: 'url(x)' }), 'SYNTAX', 'background');
     refuses(() => scene.svg({ title: 5 }), 'WRONG_TYPE', 'title');
     refuses(() => scene.svg({ tolerance: 1 }), 'UNKNOWN_FIELD', 'tolerance');
+    refuses(() => scene.svg({ panes: ['curves'] }), 'UNKNOWN_NAME', 'panes[0]');
     refuses(() => scene.svg(null), 'WRONG_TYPE', '');
     refuses(() => scene.exportAs('pdf'), 'UNKNOWN_NAME', 'format');
     refuses(() => scene.exportAs('csv', { tolerance: 0 }), 'OUT_OF_RANGE', 'tolerance');

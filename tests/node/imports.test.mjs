@@ -184,6 +184,23 @@ test('a document is read as it is', () => {
     refuses(() => kw.importDocument('{"knotwork": 1, "objects": [{"type": "bspline-curve"}]}'), 'WRONG_TYPE');
 });
 
+test('OBJ becomes a subdivision surface, a table a cloud of points', () => {
+    const cube = kw.mesh({ solid: 'cube' });
+    const [quads] = kw.importDocument(cube.toObj()).objects;
+    assert.equal(quads.type, 'subdivision-surface');
+    assert.deepEqual([quads.scheme, quads.levels], ['catmull-clark', 0]);
+    assert.deepEqual(kw.mesh(quads.mesh).faces, cube.faces);
+    const [triangles] = kw.importDocument(kw.mesh({ solid: 'icosahedron' }).toObj(), { format: 'obj' }).objects;
+    assert.equal(triangles.scheme, 'loop');
+    const scene = kw.scene({ knotwork: 1, objects: [{ id: 'ball', type: 'subdivision-surface', levels: 1, mesh: { solid: 'cube' } }] });
+    assert.equal(kw.mesh(kw.importDocument(scene.exportAs('obj')).objects[0].mesh).counts.faces, 24);
+    const [cloud] = kw.importDocument('x,y,z\n1,2,3\n4,5,6').objects;
+    assert.equal(cloud.type, 'point-cloud');
+    assert.deepEqual(cloud.points, [[1, 2, 3], [4, 5, 6]]);
+    refuses(() => kw.importDocument('v 0 0 0\nf 1 2 3\n'), 'OUT_OF_RANGE', 'obj');
+    refuses(() => kw.importDocument('v 0 0 x\n', { format: 'obj' }), 'SYNTAX', 'obj');
+});
+
 test('what a text is, is guessed', () => {
     assert.equal(kw.importDocument(' \n{"knotwork": 1, "title": "a"}').title, 'a');
     assert.equal(kw.importDocument('M0 0L1 1').objects[0].type, 'bspline-curve');

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace knotwork::ui {
+namespace knotwork::drawing {
 
 struct Tick {
     double at = 0;
@@ -26,4 +26,4 @@ struct Tick {
 /// A number as a label: at most `decimals` of them, no trailing zeros, a true minus sign.
 [[nodiscard]] std::string numberText(double value, int decimals);
 
-}  // namespace knotwork::ui
+}  // namespace knotwork::drawing

@@ -1,10 +1,10 @@
-#include "ui/ticks.hpp"
+#include "drawing/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-namespace knotwork::ui {
+namespace knotwork::drawing {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string numberText(double value, int decimals) {
     return value < 0 && !zero ? "\u2212" + text : text;
 }
 
-}  // namespace knotwork::ui
+}  // namespace knotwork::drawing

@@ -1,0 +1,217 @@
+#include "drawing/svg_plots.hpp"
+
+#include "drawing/svg_theme.hpp"
+#include "drawing/ticks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace knotwork::drawing {
+
+namespace {
+
+constexpr double plotShare = 0.42;      // of the height, for basis functions or a B-function
+constexpr double basisShare = 0.6;      // of the width, beside a B-function
+constexpr double knotRow = 12;          // pixels of an equal knot more
+constexpr double knotHeight = 50;       // of the knot line with one row and the names below it
+constexpr double left = 44, right = 16, top = 12, bottom = 24;  // round the area of a plot
+constexpr double fontSize = 11;
+constexpr double cell = 56;             // of the grid, at least
+
+bool has(const Drawing& drawing, Pane pane) {
+    return std::any_of(drawing.shapes.begin(), drawing.shapes.end(),
+                       [&](const Shape& shape) { return shape.pane == pane; });
+}
+
+/// The first object that has a shape in the pane.
+int objectIn(const Drawing& drawing, Pane pane) {
+    const auto found = std::find_if(drawing.shapes.begin(), drawing.shapes.end(),
+                                    [&](const Shape& shape) { return shape.pane == pane; });
+    return found != drawing.shapes.end() ? found->object : -1;
+}
+
+/// The box of what the pane shows of its object.
+Bounds boundsOf(const Drawing& drawing, const PanePicture& picture) {
+    Bounds bounds;
+    for (const Shape& shape : drawing.shapes) {
+        if (!picture.shows(shape)) continue;
+        for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+            const Vec3 p(shape.positions[i], shape.positions[i + 1], 0);
+            if (isFinite(p)) bounds.add(p);
+        }
+    }
+    return bounds;
+}
+
+/// The interval, or one about its only value.
+Interval ranged(double low, double high) noexcept {
+    return low < high ? Interval{low, high} : Interval{low - 1, high + 1};
+}
+
+Affine mapOnto(const Frame& area, const Interval& x, const Interval& y) noexcept {
+    Mat3 scale{1.0};
+    scale[0][0] = area.width / x.length();
+    scale[1][1] = -area.height / y.length();
+    return {scale, Vec3(area.x - scale[0][0] * x.start,
+                        area.y + area.height - scale[1][1] * y.start, 0)};
+}
+
+class PlotWriter {
+public:
+    PlotWriter(XmlWriter& xml, const Drawing& drawing, const scene::State& state, SvgTheme theme)
+        : xml_(xml), drawing_(drawing), state_(state), theme_(theme), colours_(svgColours(theme)) {}
+
+    /// Basis functions and the knot line have one axis.
+    void parameterPlots(const Frame& basis, const Frame& knots) {
+        PanePicture functions{Pane::basis, {}, theme_, objectIn(drawing_, Pane::basis), -1};
+        PanePicture line{Pane::knots, {}, theme_, objectIn(drawing_, Pane::knots), -1};
+        const Bounds all = boundsOf(drawing_, knots.height > 0 ? line : functions);
+        const Interval x = ranged(all.min.x, all.max.x);
+        if (basis.height > 0) {
+            const Bounds values = boundsOf(drawing_, functions);
+            begin(functions, basis, x, {std::min(0.0, values.min.y), std::max(1.0, values.max.y)},
+                  knots.height > 0 ? top / 2 : bottom);
+            if (!(knots.height > 0)) ticksBelow(x);
+            ticksBeside();
+            end(functions);
+        }
+        if (knots.height > 0) {
+            const Bounds piles = boundsOf(drawing_, line);
+            begin(line, knots, x, {0, std::max(1.0, piles.max.y)}, bottom);
+            area_.y = area_.y + area_.height - knotRow * std::max(1.0, piles.max.y);
+            ticksBelow(x);
+            end(line);
+        }
+    }
+
+    /// B and its derivatives in rows, each with values of its own.
+    void bFunctionPlot(const Frame& frame) {
+        constexpr int rows = 3;
+        for (int order = 0; order < rows; ++order) {
+            PanePicture picture{Pane::bFunction, {}, theme_, objectIn(drawing_, Pane::bFunction),
+                                order};
+            const Bounds values = boundsOf(drawing_, picture);
+            if (values.empty) continue;
+            const Frame row{frame.x, frame.y + order * frame.height / rows, frame.width,
+                            frame.height / rows};
+            const Interval y = ranged(std::min(0.0, values.min.y),
+                                      std::max(order == 0 ? 1.0 : 0.0, values.max.y));
+            begin(picture, row, {0, 1}, y, order + 1 == rows ? bottom : top / 2);
+            if (order + 1 == rows) ticksBelow({0, 1});
+            ticksBeside();
+            end(picture);
+        }
+    }
+
+private:
+    void begin(PanePicture& picture, const Frame& frame, const Interval& x, const Interval& y,
+               double below) {
+        area_ = {frame.x + left, frame.y + top, std::max(1.0, frame.width - left - right),
+                 std::max(1.0, frame.height - top - below)};
+        y_ = y;
+        picture.screen = mapOnto(area_, x, y);
+        screen_ = picture.screen;
+        xml_.begin("g").attribute("class", "knotwork-pane");
+        xml_.attribute("data-pane", paneName(picture.pane));
+        xml_.begin("rect").attribute("class", "knotwork-plot");
+        xml_.number("x", area_.x).number("y", area_.y);
+        xml_.number("width", area_.width).number("height", area_.height);
+        xml_.attribute("fill", colours_.plot).attribute("stroke", colours_.grid);
+        xml_.end();
+    }
+
+    void end(const PanePicture& picture) {
+        writeShapes(xml_, drawing_, state_, picture);
+        xml_.end();
+    }
+
+    void beginNames(std::string_view anchor) {
+        xml_.begin("g").attribute("class", "knotwork-ticks").attribute("fill", colours_.quiet);
+        xml_.attribute("font-family", "sans-serif").number("font-size", fontSize);
+        xml_.attribute("text-anchor", anchor);
+    }
+
+    void gridLine(const Vec3& from, const Vec3& to) {
+        std::string data = "M";
+        appendNumber(data, from.x, 2);
+        data += ',';
+        appendNumber(data, from.y, 2);
+        data += 'L';
+        appendNumber(data, to.x, 2);
+        data += ',';
+        appendNumber(data, to.y, 2);
+        xml_.begin("path").attribute("stroke", colours_.grid).attribute("d", data).end();
+    }
+
+    void ticksBelow(const Interval& x) {
+        beginNames("middle");
+        const int most = std::max(1, static_cast<int>(area_.width / cell));
+        for (const Tick& tick : niceTicks(x, most)) {
+            const double at = screen_.point({tick.at, 0, 0}).x;
+            gridLine({at, area_.y, 0}, {at, area_.y + area_.height, 0});
+            xml_.begin("text").number("x", at).number("y", area_.y + area_.height + fontSize + 5);
+            xml_.text(tick.text);
+        }
+        xml_.end();
+    }
+
+    void ticksBeside() {
+        beginNames("end");
+        for (const Tick& tick : niceTicks(y_, area_.height < 90 ? 1 : 3)) {
+            const double at = screen_.point({0, tick.at, 0}).y;
+            gridLine({area_.x, at, 0}, {area_.x + area_.width, at, 0});
+            xml_.begin("text").number("x", area_.x - 7).number("y", at + fontSize / 3);
+            xml_.text(tick.text);
+        }
+        xml_.end();
+    }
+
+    XmlWriter& xml_;
+    const Drawing& drawing_;
+    const scene::State& state_;
+    SvgTheme theme_;
+    const SvgColours& colours_;
+    Frame area_;
+    Interval y_;
+    Affine screen_;
+};
+
+double knotsHeight(const Drawing& drawing) {
+    const PanePicture line{Pane::knots, {}, SvgTheme::light, objectIn(drawing, Pane::knots), -1};
+    return knotHeight + knotRow * std::clamp(boundsOf(drawing, line).max.y, 1.0, 6.0);
+}
+
+}  // namespace
+
+SvgLayout svgLayout(const Frame& whole, const Drawing& drawing, std::span<const Pane> panes) {
+    const auto wanted = [&](Pane pane) {
+        const bool asked = std::find(panes.begin(), panes.end(), pane) != panes.end();
+        return asked && (pane == Pane::curve || has(drawing, pane));
+    };
+    SvgLayout layout;
+    layout.curve = whole;
+    const bool basis = wanted(Pane::basis), knots = wanted(Pane::knots);
+    const bool bFunction = wanted(Pane::bFunction);
+    if (!basis && !knots && !bFunction) return layout;
+    const double line = knots ? std::min(knotsHeight(drawing), whole.height / 2) : 0;
+    double plots = basis || bFunction ? std::max(plotShare * whole.height, line) : line;
+    if (!wanted(Pane::curve)) plots = whole.height;
+    layout.curve.height = whole.height - plots;
+    const double y = whole.y + layout.curve.height;
+    const bool parameters = basis || knots;
+    const double width = parameters && bFunction ? basisShare * whole.width : whole.width;
+    if (basis) layout.basis = {whole.x, y, width, plots - line};
+    if (knots) layout.knots = {whole.x, basis ? y + plots - line : y, width, basis ? line : plots};
+    const double side = parameters ? width : 0;
+    if (bFunction) layout.bFunction = {whole.x + side, y, whole.width - side, plots};
+    return layout;
+}
+
+void writePlots(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
+                const SvgLayout& layout, SvgTheme theme) {
+    PlotWriter plots(xml, drawing, state, theme);
+    plots.parameterPlots(layout.basis, layout.knots);
+    if (layout.bFunction.height > 0) plots.bFunctionPlot(layout.bFunction);
+}
+
+}  // namespace knotwork::drawing
