@@ -4,6 +4,7 @@
 #include "drawing/ticks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace knotwork::drawing {
@@ -78,7 +79,6 @@ public:
         if (knots.height > 0) {
             const Bounds piles = boundsOf(drawing_, line);
             begin(line, knots, x, {0, std::max(1.0, piles.max.y)}, bottom);
-            area_.y = area_.y + area_.height - knotRow * std::max(1.0, piles.max.y);
             ticksBelow(x);
             end(line);
         }
@@ -87,6 +87,7 @@ public:
     /// B and its derivatives in rows, each with values of its own.
     void bFunctionPlot(const Frame& frame) {
         constexpr int rows = 3;
+        constexpr std::array names{"B", "B\u2032", "B\u2033"};
         for (int order = 0; order < rows; ++order) {
             PanePicture picture{Pane::bFunction, {}, theme_, objectIn(drawing_, Pane::bFunction),
                                 order};
@@ -99,6 +100,7 @@ public:
             begin(picture, row, {0, 1}, y, order + 1 == rows ? bottom : top / 2);
             if (order + 1 == rows) ticksBelow({0, 1});
             ticksBeside();
+            name(names[static_cast<std::size_t>(order)]);
             end(picture);
         }
     }
@@ -155,9 +157,16 @@ private:
         xml_.end();
     }
 
+    void name(std::string_view text) {
+        xml_.begin("text").attribute("class", "knotwork-name").attribute("fill", colours_.ink);
+        xml_.attribute("font-family", "sans-serif").number("font-size", fontSize + 2);
+        xml_.number("x", area_.x + 7).number("y", area_.y + fontSize + 6);
+        xml_.text(text);
+    }
+
     void ticksBeside() {
         beginNames("end");
-        for (const Tick& tick : niceTicks(y_, area_.height < 90 ? 1 : 3)) {
+        for (const Tick& tick : niceTicks(y_, area_.height < 90 ? 2 : 3)) {
             const double at = screen_.point({0, tick.at, 0}).y;
             gridLine({area_.x, at, 0}, {area_.x + area_.width, at, 0});
             xml_.begin("text").number("x", area_.x - 7).number("y", at + fontSize / 3);

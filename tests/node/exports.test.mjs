@@ -173,6 +173,10 @@ test('the plots stand below the curve, each with its ticks', () => {
         }
     }
     const ticks = elements.filter(({ name }) => name === 'text').map(({ text }) => text);
+    assert.ok(['B', 'B\u2032', 'B\u2033'].every((name) => ticks.includes(name)));
+    for (const { attributes } of elements.filter(({ name }) => name === 'text')) {
+        assert.ok(Number(attributes.y) < 699 && Number(attributes.x) > 5, attributes.y);
+    }
     assert.ok(ticks.includes('0') && ticks.includes('1') && ticks.length > 8);
     assert.deepEqual(elementsOf(scene.svg({ panes: ['knots'] })).flatMap(({ attributes }) => attributes['data-pane'] ?? []), ['knots']);
     assert.equal(scene.svg({ panes: ['curve'] }), scene.svg());
