@@ -50,6 +50,7 @@ export interface Knotwork {
     surface(spec: BsplineSurfaceSpec): BsplineSurface;
     surface(spec: ParametricSurfaceSpec): ParametricSurface;
     surface(spec: BlendingSurfaceSpec): BlendingSurface;
+    surface(spec: BlendingTriangleSpec): BlendingTriangle;
     surface(spec: SurfaceSpec): Surface;
     /** The named surfaces, their formulas and their parameters. */
     readonly parametricSurfaces: ParametricSurfaceModel[];
@@ -624,7 +625,32 @@ export interface BlendingSurfaceSpec {
     poses?: readonly ({ local: readonly [number, number] } & Pose)[];
 }
 
-export type SurfaceSpec = BsplineSurfaceSpec | ParametricSurfaceSpec | BlendingSurfaceSpec;
+/**
+ * Three surfaces, the local patches, blended over a triangle. With x and y the parameters of each
+ * patch, from 0 at their starts to 1 at their ends, the triangle has the corners (x, y) = (0, 0),
+ * (1, 0), (0, 1), in which patch 0, 1 and 2 alone counts, with all derivatives up to the order: half
+ * of the rectangle of each patch is used, and three equal patches blend into that half. On the side
+ * opposite to its corner a patch has no influence up to the order.
+ *
+ * The domain is [0, 1] × [0, 1], with x = u (1 − v) and y = u v: u = 0 is all of corner 0, a pole,
+ * u = 1 the side opposite to it, v = 0 the side to corner 1 and v = 1 that to corner 2. So grids and
+ * triangulations cover the triangle and nothing else, and the normal is that of the patches.
+ */
+export interface BlendingTriangleSpec {
+    type: 'blending-triangle';
+    /** Of any type; blends within blends at most 8 deep and 1024 innermost surfaces in all. */
+    locals: readonly [SurfaceSpec, SurfaceSpec, SurfaceSpec];
+    /** Of the polynomial weights, default 1; with a B-function left out. */
+    order?: 1 | 2;
+    /**
+     * The weights B(λ_k) / (B(λ_0) + B(λ_1) + B(λ_2)) instead, of its order at 0; λ = (1 − x − y, x, y).
+     * OUT_OF_RANGE where B(1/3) < 1e-9.
+     */
+    bFunction?: BFunctionSpec;
+}
+
+export type SurfaceSpec =
+    | BsplineSurfaceSpec | ParametricSurfaceSpec | BlendingSurfaceSpec | BlendingTriangleSpec;
 
 /** Outside its domain a closed direction wraps; in any other, `u` or `v` is OUT_OF_RANGE. */
 export interface Surface extends Disposable {
@@ -663,6 +689,8 @@ export interface Surface extends Disposable {
     /**
      * A mesh whose triangles are nowhere farther from the surface than the tolerance (default 0.01),
      * with more of them where it is more curved; without cracks, and without edges at closed seams.
+     * (Of a blending triangle whose patches have knots inside, nearly so: the knots of a patch run
+     * across the triangles.)
      * TOO_LARGE where that takes more than 262144 vertices.
      */
     triangles(options?: { tolerance?: number }): SurfaceTriangles;
@@ -724,6 +752,14 @@ export interface BlendingSurface extends Surface {
     /** The same surface with local patch [i, j] in another pose. */
     withPose(local: readonly [number, number], pose: Pose): BlendingSurface;
     readonly spec: BlendingSurfaceSpec;
+}
+
+export interface BlendingTriangle extends Surface {
+    /** The local patch of corner 0, 1 or 2, over all of its own rectangle. */
+    local(corner: 0 | 1 | 2): Surface;
+    /** What each patch counts at (u, v): not negative, 1 in sum. */
+    weights(u: number, v: number): [number, number, number];
+    readonly spec: BlendingTriangleSpec;
 }
 
 export interface ParametricSurfaceModel {

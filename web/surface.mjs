@@ -156,8 +156,20 @@ export class BlendingSurface extends Surface {
     }
 }
 
+export class BlendingTriangle extends Surface {
+    /** The local patch of corner 0, 1 or 2, over all of its own rectangle. @param {number} corner */
+    local(corner) {
+        return askSurface(this, 'corner', { corner }).surfaces[0];
+    }
+
+    /** What each patch counts at (u, v): three numbers, not negative, that sum to 1. @param {number} u @param {number} v @returns {[number, number, number]} */
+    weights(u, v) {
+        return askSurface(this, 'weights', { u, v }).weights;
+    }
+}
+
 /** In the order of Surface::Kind. */
-const kinds = [BsplineSurface, ParametricSurface, BlendingSurface];
+const kinds = [BsplineSurface, ParametricSurface, BlendingSurface, BlendingTriangle];
 
 /** How many numbers of the block tell what kind of surface was made. */
 const traitCount = 7;

@@ -10,8 +10,8 @@ namespace {
 std::array<std::span<const CurveQuery>, 2> curveTopics() noexcept {
     return {bsplineQueries(), subdivisionQueries()};
 }
-std::array<std::span<const SurfaceQuery>, 2> surfaceTopics() noexcept {
-    return {bsplineSurfaceQueries(), blendingSurfaceQueries()};
+std::array<std::span<const SurfaceQuery>, 3> surfaceTopics() noexcept {
+    return {bsplineSurfaceQueries(), blendingSurfaceQueries(), blendingTriangleQueries()};
 }
 std::array<std::span<const FreeQuery>, 1> freeTopics() noexcept { return {traceQueries()}; }
 

@@ -52,6 +52,7 @@ struct FreeQuery {
 [[nodiscard]] std::span<const CurveQuery> subdivisionQueries() noexcept;
 [[nodiscard]] std::span<const SurfaceQuery> bsplineSurfaceQueries() noexcept;
 [[nodiscard]] std::span<const SurfaceQuery> blendingSurfaceQueries() noexcept;
+[[nodiscard]] std::span<const SurfaceQuery> blendingTriangleQueries() noexcept;
 [[nodiscard]] std::span<const FreeQuery> traceQueries() noexcept;
 
 /// All of them, for the session.

@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::size_t maximumPatches = 10'000;
 constexpr std::size_t maximumCoefficients = 500'000;
-constexpr double maximumEvaluations = 1024;
-constexpr int maximumDepth = 8;  // of blends within blends, each of which takes 50 kB of stack
 constexpr std::size_t maximumRows = maxSurfaceOrder + 1;
 
 // ---- What is refused ---------------------------------------------------------------------------
@@ -221,14 +219,7 @@ Result<BlendingSurface> BlendingSurface::make(Surface model, BlendDirection u, B
     if (auto checked = checkPoses(poses, count); !checked) return checked.error();
     BlendingSurface surface(std::make_shared<const Surface>(std::move(model)), std::move(u),
                             std::move(v), cut);
-    const Nesting nesting = surface.nesting();
-    if (nesting.evaluations > maximumEvaluations || nesting.depth > maximumDepth) {
-        return refuse(Code::tooLarge, "model",
-                      "Sub-surfaces of blends are nested " + std::to_string(nesting.depth) +
-                          " deep, and one point would take up to " +
-                          formatNumber(nesting.evaluations) +
-                          " points of the innermost model; at most 8 and 1024 are supported.");
-    }
+    if (auto checked = checkNesting(surface.nesting(), "model"); !checked) return checked.error();
     if (auto done = surface.cutPatches(poses); !done) return done.error();
     return surface;
 }
@@ -264,10 +255,9 @@ void BlendingSurface::findBreaks() {
         breaksAlong(v_, ofModel ? knotwork::breaksV(*model_) : none, whole.v, turns.v));
 }
 
-BlendingSurface::Nesting BlendingSurface::nesting() const noexcept {
+SurfaceNesting BlendingSurface::nesting() const noexcept {
     if (!cutsModel()) return {};
-    const auto* nested = model_->as<BlendingSurface>();
-    const Nesting inner = nested != nullptr ? nested->nesting() : Nesting{};
+    const SurfaceNesting inner = nestingOf(*model_);
     const bool shiftsU = u_.closed() && !modelTurnsU_;
     const bool shiftsV = v_.closed() && !modelTurnsV_;
     return {inner.depth + 1, inner.evaluations * (shiftsU ? 2 : 1) * (shiftsV ? 2 : 1)};

@@ -14,6 +14,7 @@
 #include "geometry/b_function.hpp"
 #include "geometry/blending_knots.hpp"
 #include "geometry/blending_patch.hpp"
+#include "geometry/surface_nesting.hpp"
 #include "geometry/surface_parameter.hpp"
 
 #include <memory>
@@ -48,8 +49,8 @@ public:
     /// than 10 000 patches or 500 000 coefficients in all (TOO_LARGE `locals`), degrees that are not
     /// 1 … 25 (`degree[i]`), knots as checkBlendingKnots() does (`knots[0]…` along u, `knots[1]…`
     /// along v), poses as checkPose() does under `poses[k]`, a model without the derivatives that
-    /// are needed (NOT_FINITE `model`), and sub-surfaces of blends more than 8 deep, or of which one
-    /// point would take more than 1024 points of the innermost model (TOO_LARGE `model`).
+    /// are needed (NOT_FINITE `model`), and sub-surfaces of blends beyond what checkNesting() allows
+    /// (TOO_LARGE `model`).
     [[nodiscard]] static Result<BlendingSurface> make(Surface model, BlendDirection u,
                                                       BlendDirection v, const PatchCut& cut,
                                                       std::span<const Pose> poses = {});
@@ -98,6 +99,7 @@ public:
     [[nodiscard]] BlendingSurface withPose(std::size_t i, std::size_t j, const Pose& pose) const;
     /// One pose for each patch, already checked.
     [[nodiscard]] BlendingSurface withPoses(std::span<const Pose> poses) const;
+    [[nodiscard]] SurfaceNesting nesting() const noexcept;
 
 private:
     class Patches;
@@ -107,13 +109,6 @@ private:
 
     [[nodiscard]] Result<Done> cutPatches(std::span<const Pose> poses);
     void findBreaks();
-    /// Blends that are evaluated within each other for one point, and how many points of the
-    /// innermost model that takes at most.
-    struct Nesting {
-        int depth = 0;
-        double evaluations = 1;
-    };
-    [[nodiscard]] Nesting nesting() const noexcept;
 
     std::shared_ptr<const Surface> model_;
     BlendDirection u_;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "geometry/blending_surface.hpp"
+#include "geometry/blending_triangle.hpp"
 #include "geometry/bspline_surface.hpp"
 #include "geometry/parametric_surface.hpp"
 #include "geometry/result.hpp"
@@ -23,7 +24,8 @@ namespace knotwork {
 
 class Surface {
 public:
-    using Kind = std::variant<BsplineSurface, ParametricSurface, BlendingSurface>;
+    using Kind = std::variant<BsplineSurface, ParametricSurface, BlendingSurface,
+                              BlendingTriangle>;
 
     /// Of any of the kinds.
     template <class T>
@@ -50,7 +52,8 @@ private:
 
 /// The matrix of derivatives, rows[orders.at(a, b)] = ∂^{a+b}S/∂u^a∂v^b, orders up to 25, for any
 /// place: outside its domain a surface is continued (by its formula, by its period, a spline that is
-/// not closed by its end pieces). `rows` holds orders.size() vectors.
+/// not closed by its end pieces). `rows` holds orders.size() vectors. (A blending triangle has those
+/// with a + b ≤ 25.)
 void derivatives(const Surface& surface, const SurfacePlace& at, const SurfaceOrders& orders,
                  std::span<Vec3> rows) noexcept;
 [[nodiscard]] Vec3 pointAt(const Surface& surface, const SurfacePlace& at) noexcept;

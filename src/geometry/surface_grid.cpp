@@ -6,6 +6,7 @@
 #include "geometry/polynomial_piece.hpp"
 #include "geometry/surface_differential.hpp"
 #include "geometry/table_grid.hpp"
+#include "geometry/triangle_grid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,7 @@ void write(const Vec3& v, double* to) noexcept {
 constexpr std::size_t worthwhile = 4;
 
 using Rows = std::variant<PolynomialGrid, TensorGrid, ProductGrid, BlendedPolynomialGrid,
-                          BlendedModelGrid, BlendedPointGrid>;
+                          BlendedModelGrid, BlendedPointGrid, TriangleGrid>;
 
 Rows rowsOf(const BsplineSurface& spline, const GridLine& u, const GridLine& v) {
     const auto degree = static_cast<std::size_t>(spline.knotsV().degree());
@@ -38,6 +39,10 @@ Rows rowsOf(const BsplineSurface& spline, const GridLine& u, const GridLine& v) 
 
 Rows rowsOf(const ParametricSurface& model, const GridLine& u, const GridLine& v) {
     return ProductGrid(model, u, v);
+}
+
+Rows rowsOf(const BlendingTriangle& triangle, const GridLine& u, const GridLine& v) {
+    return TriangleGrid(triangle, u, v);
 }
 
 Rows rowsOf(const BlendingSurface& blend, const GridLine& u, const GridLine& v) {

@@ -72,7 +72,7 @@ Bends bendsInCorner(const Surface& surface, const Rectangle& cell, bool endU, bo
 double errorOf(const Bends& bends) noexcept { return (bends.uu + 2 * bends.uv + bends.vv) / 8; }
 
 /// Those of a cell that the centre already finds too large are not looked at any closer.
-Bends bendsOf(const Surface& surface, const Rectangle& cell, double tolerance) noexcept {
+Bends bendsBetweenKnots(const Surface& surface, const Rectangle& cell, double tolerance) noexcept {
     Bends bends = bendsAtCentre(surface, cell);
     if (errorOf(bends) > tolerance) return bends;
     for (const bool endU : {false, true}) {
@@ -80,6 +80,70 @@ Bends bendsOf(const Surface& surface, const Rectangle& cell, double tolerance) n
             bends.raise(bendsInCorner(surface, cell, endU, endV));
         }
     }
+    return bends;
+}
+
+Interval firstHalf(const Interval& whole) noexcept {
+    return {whole.start, whole.start + whole.length() / 2};
+}
+Interval secondHalf(const Interval& whole) noexcept {
+    return {whole.start + whole.length() / 2, whole.end};
+}
+
+bool divisible(const Interval& interval) noexcept {
+    const double middle = interval.start + interval.length() / 2;
+    return interval.start < middle && middle < interval.end;
+}
+
+constexpr int partDepth = 2;  // sixteenths of a cell
+
+bool crossed(const Surface& surface, const Rectangle& cell) noexcept {
+    const auto* triangle = surface.as<BlendingTriangle>();
+    return triangle != nullptr && triangle->crossed(cell);
+}
+
+/// A cell that knots run across is looked at in parts: its centre says nothing of what lies beyond.
+Bends bendsAcrossKnots(const Surface& surface, const Rectangle& cell, double tolerance,
+                       int depth) noexcept {
+    if (depth == 0 || !crossed(surface, cell)) return bendsBetweenKnots(surface, cell, tolerance);
+    Bends most;
+    for (const Interval& u : {firstHalf(cell.u), secondHalf(cell.u)}) {
+        for (const Interval& v : {firstHalf(cell.v), secondHalf(cell.v)}) {
+            const Bends part = bendsAcrossKnots(surface, {u, v}, tolerance / 4, depth - 1);
+            most.raise({4 * part.uu, 4 * part.uv, 4 * part.vv});
+        }
+    }
+    return most;
+}
+
+/// What creases add that run across a cell. A jump of the slope, J, in the middle of h is J h/4 away
+/// from the straight line, as far as a second derivative of 2J/h.
+Bends creasesIn(const Surface& surface, const Rectangle& cell) noexcept {
+    constexpr SurfaceOrders orders{1, 1};
+    std::array<std::array<Vec3, orders.size()>, 4> rows;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const bool endU = corner >= 2;
+        const bool endV = corner % 2 == 1;
+        derivatives(surface,
+                    {endU ? cell.u.end : cell.u.start, endV ? cell.v.end : cell.v.start,
+                     endU ? Side::left : Side::right, endV ? Side::left : Side::right},
+                    orders, rows[corner]);
+    }
+    const auto jump = [&](std::size_t from, std::size_t to, std::size_t a, std::size_t b) {
+        return 2 * glm::length(rows[to][orders.at(a, b)] - rows[from][orders.at(a, b)]);
+    };
+    const double u = cell.u.length();
+    const double v = cell.v.length();
+    return {u * std::max(jump(0, 2, 1, 0), jump(1, 3, 1, 0)),
+            std::max({u * jump(0, 1, 1, 0), u * jump(2, 3, 1, 0), v * jump(0, 2, 0, 1),
+                      v * jump(1, 3, 0, 1)}),
+            v * std::max(jump(0, 1, 0, 1), jump(2, 3, 0, 1))};
+}
+
+Bends bendsOf(const Surface& surface, const Rectangle& cell, double tolerance) noexcept {
+    if (!crossed(surface, cell)) return bendsBetweenKnots(surface, cell, tolerance);
+    Bends bends = bendsAcrossKnots(surface, cell, tolerance, partDepth);
+    bends.raise(creasesIn(surface, cell));
     return bends;
 }
 
@@ -101,18 +165,6 @@ std::vector<double> startsOf(const Interval& domain, std::span<const double> kno
     std::sort(starts.begin(), starts.end());
     starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
     return starts;
-}
-
-Interval firstHalf(const Interval& whole) noexcept {
-    return {whole.start, whole.start + whole.length() / 2};
-}
-Interval secondHalf(const Interval& whole) noexcept {
-    return {whole.start + whole.length() / 2, whole.end};
-}
-
-bool divisible(const Interval& interval) noexcept {
-    const double middle = interval.start + interval.length() / 2;
-    return interval.start < middle && middle < interval.end;
 }
 
 Error tooMany(double tolerance) {

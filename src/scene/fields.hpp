@@ -43,7 +43,7 @@ enum class FieldKind {
     panes,       ///< list of names of panes
     group,       ///< nested fields of a fixed table
     pair,        ///< two values, each as the only one of `fields` (a direction each)
-    list,        ///< any number of values, each as the only one of `fields`
+    list,        ///< values, each as the only one of `fields`; from `min` to `max` of them
     surface,     ///< nested surface specification
     surfaceName,        ///< name of a parametric surface
     surfaceParameters,  ///< named parameters of a parametric surface

@@ -22,6 +22,14 @@ Json pairOf(Json item) {
     return pair;
 }
 
+/// As many as the field allows, where it says.
+Json someOf(Json item, const Field& field) {
+    Json list = listOf(std::move(item));
+    if (std::isfinite(field.min)) list["minItems"] = field.min;
+    if (std::isfinite(field.max)) list["maxItems"] = field.max;
+    return list;
+}
+
 Json tuple(std::size_t least, std::size_t most) {
     return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", least},
             {"maxItems", most}};
@@ -69,7 +77,7 @@ Json kindSchema(const Field& field) {
             return listOf({{"enum", Json::array({"curve", "basis", "knots", "bFunction"})}});
         case FieldKind::group: return objectSchema(field.fields.all());
         case FieldKind::pair: return pairOf(kindSchema(field.fields.all().front()));
-        case FieldKind::list: return listOf(kindSchema(field.fields.all().front()));
+        case FieldKind::list: return someOf(kindSchema(field.fields.all().front()), field);
         case FieldKind::surface: return reference("surface");
         case FieldKind::surfaceName: return names(parametricSurfaceChoices());
         case FieldKind::surfaceParameters: return {{"type", "object"}};

@@ -16,10 +16,12 @@ namespace knotwork::scene {
 [[nodiscard]] Result<Surface> buildBsplineSurface(Json& spec);
 [[nodiscard]] Result<Surface> buildParametricSurface(Json& spec);
 [[nodiscard]] Result<Surface> buildBlendingSurface(Json& spec);
+[[nodiscard]] Result<Surface> buildBlendingTriangle(Json& spec);
 
 // And back again, for what is computed.
 [[nodiscard]] Json specOf(const BsplineSurface& surface);
 [[nodiscard]] Json specOf(const ParametricSurface& surface);
 [[nodiscard]] Json specOf(const BlendingSurface& surface);
+[[nodiscard]] Json specOf(const BlendingTriangle& triangle);
 
 }  // namespace knotwork::scene

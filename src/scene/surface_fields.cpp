@@ -113,10 +113,26 @@ constexpr std::array blendingFields{
           .fields = onePose},
 };
 
+constexpr std::array oneLocal{
+    Field{.name = "local", .label = "Local patch", .kind = FieldKind::surface}};
+
+constexpr std::array triangleFields{
+    Field{.name = "locals", .label = "Local patches", .kind = FieldKind::list,
+          .help = "Three surfaces. Those of the corners (0, 0), (1, 0) and (0, 1) of the triangle, "
+                  "which is half of the rectangle that each is defined over.",
+          .min = 3, .max = 3, .required = true, .fields = oneLocal},
+    Field{.name = "order", .label = "Order", .kind = FieldKind::integer,
+          .help = "Up to which order each patch alone counts in its corner; 1 if left out.",
+          .min = 1, .max = 2},
+    Field{.name = "bFunction", .label = "B-function", .kind = FieldKind::bFunction,
+          .help = "Weights B/sum in place of the polynomial ones of an order."},
+};
+
 constexpr std::array types{
     SurfaceType{"bspline-surface", "B-spline surface", bsplineFields},
     SurfaceType{"parametric-surface", "Parametric surface", parametricFields},
     SurfaceType{"blending-surface", "Blending surface", blendingFields},
+    SurfaceType{"blending-triangle", "Blending triangle", triangleFields},
 };
 
 }  // namespace

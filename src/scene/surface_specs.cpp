@@ -24,6 +24,7 @@ constexpr std::array builders{
     Builder{"bspline-surface", buildBsplineSurface},
     Builder{"parametric-surface", buildParametricSurface},
     Builder{"blending-surface", buildBlendingSurface},
+    Builder{"blending-triangle", buildBlendingTriangle},
 };
 
 }  // namespace
@@ -49,6 +50,7 @@ Result<Made<Surface>> makeSurface(const Json& spec) {
 Json specOf(const Surface& surface) {
     if (const auto* parametric = surface.as<ParametricSurface>()) return specOf(*parametric);
     if (const auto* blending = surface.as<BlendingSurface>()) return specOf(*blending);
+    if (const auto* triangle = surface.as<BlendingTriangle>()) return specOf(*triangle);
     return specOf(*surface.as<BsplineSurface>());
 }
 

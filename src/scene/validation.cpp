@@ -203,6 +203,20 @@ Result<Json> readElements(const Json& given, const Field& field, const Json& par
     });
 }
 
+/// As many as the field allows, where it says.
+Result<Json> readSomeElements(const Json& given, const Field& field, const Json& parent) {
+    if (given.is_array()) {
+        const auto count = static_cast<double>(given.size());
+        if (count < field.min || count > field.max) {
+            const std::string wanted =
+                field.min == field.max ? formatNumber(field.min) : describeRange(field);
+            return refuse(Code::wrongLength, "",
+                          "Expected a list of " + wanted + ", got " + formatNumber(count) + ".");
+        }
+    }
+    return readElements(given, field, parent);
+}
+
 Result<Json> readDirections(const Json& given, const Field& field, const Json& parent) {
     if (!given.is_array()) return wrongType("a list of two, one for each direction", given);
     if (given.size() != 2) {
@@ -245,7 +259,7 @@ Result<Json> readField(const Json& given, const Field& field, const Json& parent
                             [](const Json& item) { return readName(item, paneChoices); });
         case FieldKind::group: return readGroup(given, field.fields.all());
         case FieldKind::pair: return readDirections(given, field, parent);
-        case FieldKind::list: return readElements(given, field, parent);
+        case FieldKind::list: return readSomeElements(given, field, parent);
         case FieldKind::surface: return readSurface(given);
         case FieldKind::surfaceName: return readName(given, parametricSurfaceChoices());
         case FieldKind::surfaceParameters: return readSurfaceParameters(given, parent);
