@@ -31,8 +31,7 @@ double stretched(const Interval& to, double share) noexcept {
     return share == 1 ? to.end : to.start + share * to.length();
 }
 
-SurfacePlace placeOn(const Surface& patch, const SurfacePlace& at) noexcept {
-    const Rectangle whole = domain(patch);
+SurfacePlace placeOn(const Rectangle& whole, const SurfacePlace& at) noexcept {
     const Barycentric coordinates = barycentric(at.u, at.v);
     const double du = at.sideU == Side::left ? -1 : 1;
     const double dv = at.sideV == Side::left ? -1 : 1;
@@ -42,17 +41,12 @@ SurfacePlace placeOn(const Surface& patch, const SurfacePlace& at) noexcept {
 
 // ---- Series ------------------------------------------------------------------------------------
 
-/// What follows from derivatives in the parameters of a patch for the unit square.
-void takeSeries(const Surface& patch, const SurfacePlace& at, std::size_t order,
-                std::span<Vec3> terms) noexcept {
-    if (const auto* triangle = patch.as<BlendingTriangle>()) {  // is over the unit square itself
-        triangle->series(at, order, terms);
-        return;
-    }
+/// The series over the unit square of a patch over another rectangle.
+void takeSeries(const Surface& patch, const Rectangle& whole, const SurfacePlace& at,
+                std::size_t order, std::span<Vec3> terms) noexcept {
     std::array<Vec3, (maxTriangleOrder + 1) * (maxTriangleOrder + 1)> rows;
     const SurfaceOrders orders{static_cast<int>(order), static_cast<int>(order)};
     derivatives(patch, at, orders, rows);
-    const Rectangle whole = domain(patch);
     double factorU = 1;  // length^i / i!
     for (std::size_t i = 0; i <= order; ++i) {
         if (i > 0) factorU *= whole.u.length() / static_cast<double>(i);
@@ -114,6 +108,8 @@ Numbers breaksOf(Numbers breaks, const Numbers& others) {
 
 BlendingTriangle::BlendingTriangle(const std::array<Surface, 3>& locals, TriangleBlend blend)
     : locals_(std::make_shared<const std::vector<Surface>>(locals.begin(), locals.end())),
+      over_{knotwork::domain(locals[0]), knotwork::domain(locals[1]),
+            knotwork::domain(locals[2])},
       blend_(std::move(blend)) {
     findBreaks();
 }
@@ -140,10 +136,9 @@ Result<BlendingTriangle> BlendingTriangle::make(const std::array<Surface, 3>& lo
 void BlendingTriangle::findBreaks() {
     Numbers xs;
     Numbers ys;
-    for (const Surface& patch : *locals_) {
-        const Rectangle whole = knotwork::domain(patch);
-        addInside(knotwork::breaksU(patch), whole.u, xs);
-        addInside(knotwork::breaksV(patch), whole.v, ys);
+    for (std::size_t k = 0; k < 3; ++k) {
+        addInside(knotwork::breaksU(local(k)), over_[k].u, xs);
+        addInside(knotwork::breaksV(local(k)), over_[k].v, ys);
     }
     sortOnce(xs);
     sortOnce(ys);
@@ -185,6 +180,17 @@ Barycentric BlendingTriangle::weights(double u, double v) const noexcept {
     return TriangleWeights(blend_, barycentric(u, v), 0).values();
 }
 
+void BlendingTriangle::takePatch(std::size_t corner, const SurfacePlace& at, std::size_t order,
+                                 std::span<Vec3> terms) const noexcept {
+    const Surface& patch = local(corner);
+    const SurfacePlace own = placeOn(over_[corner], at);
+    if (const auto* triangle = patch.as<BlendingTriangle>()) {  // is over the unit square itself
+        triangle->series(own, order, terms);
+    } else {
+        takeSeries(patch, over_[corner], own, order, terms);
+    }
+}
+
 void BlendingTriangle::series(const SurfacePlace& at, std::size_t order,
                               std::span<Vec3> terms) const noexcept {
     const TriangleWeights weights(blend_, barycentric(at.u, at.v), order);
@@ -193,36 +199,46 @@ void BlendingTriangle::series(const SurfacePlace& at, std::size_t order,
     std::array<Vec3, mostTerms> second;
     const auto base = std::span<Vec3>(first).first(size);
     const auto other = std::span<Vec3>(second).first(size);
-    const Surface& around = local(weights.base());
-    takeSeries(around, placeOn(around, at), order, base);
+    takePatch(weights.base(), at, order, base);
     // As base + Σ weight · (patch − base) whatever is the same for all patches is kept exactly.
     std::copy(base.begin(), base.end(), terms.begin());
     for (std::size_t which = 0; which < 2; ++which) {
         if (weights.vanishes(which)) continue;
-        const Surface& patch = local(weights.corner(which));
-        takeSeries(patch, placeOn(patch, at), order, other);
+        takePatch(weights.corner(which), at, order, other);
         for (std::size_t k = 0; k < size; ++k) other[k] -= base[k];
         addProduct<Vec3>(weights.series(which), weights.order(), other, order, terms);
     }
     if (order > 0) collapse(at.u, at.v, order, terms.first(size), other);
 }
 
+/// The entries with a + b ≤ total; the others are left as they are.
+void BlendingTriangle::takeWithin(const SurfacePlace& at, const SurfaceOrders& orders,
+                                  std::size_t total, std::span<Vec3> rows) const noexcept {
+    std::array<Vec3, mostTerms> terms;
+    series(at, total, terms);
+    double factorU = 1;  // a!
+    for (std::size_t a = 0; a <= static_cast<std::size_t>(orders.u) && a <= total; ++a) {
+        if (a > 1) factorU *= static_cast<double>(a);
+        double factor = factorU;
+        for (std::size_t b = 0; b < orders.columns() && a + b <= total; ++b) {
+            if (b > 1) factor *= static_cast<double>(b);
+            rows[orders.at(a, b)] = factor * terms[gradedAt(a, b)];
+        }
+    }
+}
+
 void BlendingTriangle::derivatives(const SurfacePlace& at, const SurfaceOrders& orders,
                                    std::span<Vec3> rows) const noexcept {
     const auto wanted = static_cast<std::size_t>(orders.u + orders.v);
-    const std::size_t order = std::min(wanted, maxTriangleOrder);
-    std::array<Vec3, mostTerms> terms;
-    series(at, order, terms);
-    double factorU = 1;  // a!
-    for (std::size_t a = 0; a <= static_cast<std::size_t>(orders.u); ++a) {
-        if (a > 1) factorU *= static_cast<double>(a);
-        double factor = factorU;
-        for (std::size_t b = 0; b < orders.columns(); ++b) {
-            if (b > 1) factor *= static_cast<double>(b);
-            rows[orders.at(a, b)] = a + b <= order ? factor * terms[gradedAt(a, b)]
-                                                   : Vec3(std::numeric_limits<double>::quiet_NaN());
-        }
+    if (wanted > maxTriangleOrder) {
+        std::fill_n(rows.begin(), orders.size(), Vec3(std::numeric_limits<double>::quiet_NaN()));
     }
+    takeWithin(at, orders, std::min(wanted, maxTriangleOrder), rows);
+}
+
+void BlendingTriangle::derivativesWithin(const SurfacePlace& at, int order,
+                                         std::span<Vec3> rows) const noexcept {
+    takeWithin(at, {order, order}, static_cast<std::size_t>(order), rows);
 }
 
 }  // namespace knotwork

@@ -50,6 +50,10 @@ public:
     /// Derivatives (a, b) with a + b ≤ 25; those beyond are not numbers.
     void derivatives(const SurfacePlace& at, const SurfaceOrders& orders,
                      std::span<Vec3> rows) const noexcept;
+    /// Of the matrix of orders {order, order} only the entries with a + b ≤ order, which take half
+    /// the order of all.
+    void derivativesWithin(const SurfacePlace& at, int order,
+                           std::span<Vec3> rows) const noexcept;
     /// Where knots of the patches leave through the sides of the triangle, at most 256. Between them
     /// they run along lines x = const and y = const, which are none of u or v: crossed() tells where.
     [[nodiscard]] std::span<const double> breaksU() const noexcept { return *breaksU_; }
@@ -65,8 +69,15 @@ public:
 private:
     BlendingTriangle(const std::array<Surface, 3>& locals, TriangleBlend blend);
     void findBreaks();
+    void takeWithin(const SurfacePlace& at, const SurfaceOrders& orders, std::size_t total,
+                    std::span<Vec3> rows) const noexcept;
+
+    /// The series of patch `corner` in x and y at a place of the unit square.
+    void takePatch(std::size_t corner, const SurfacePlace& at, std::size_t order,
+                   std::span<Vec3> terms) const noexcept;
 
     std::shared_ptr<const std::vector<Surface>> locals_;
+    std::array<Rectangle, 3> over_;  // their domains
     TriangleBlend blend_;
     std::shared_ptr<const std::vector<double>> knotsX_;  // of all patches, inside (0, 1), ascending
     std::shared_ptr<const std::vector<double>> knotsY_;

@@ -52,6 +52,15 @@ void derivatives(const Surface& surface, const SurfacePlace& at, const SurfaceOr
     std::visit([&](const auto& kind) { kind.derivatives(at, orders, rows); }, surface.kind());
 }
 
+void derivativesWithin(const Surface& surface, const SurfacePlace& at, int order,
+                       std::span<Vec3> rows) noexcept {
+    if (const auto* triangle = surface.as<BlendingTriangle>()) {
+        triangle->derivativesWithin(at, order, rows);
+    } else {
+        derivatives(surface, at, {order, order}, rows);
+    }
+}
+
 Vec3 pointAt(const Surface& surface, const SurfacePlace& at) noexcept {
     Vec3 point;
     derivatives(surface, at, {}, {&point, 1});

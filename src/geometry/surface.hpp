@@ -56,6 +56,10 @@ private:
 /// with a + b ≤ 25.)
 void derivatives(const Surface& surface, const SurfacePlace& at, const SurfaceOrders& orders,
                  std::span<Vec3> rows) noexcept;
+/// Of that matrix of orders {order, order} the entries with a + b ≤ order; the others may be left as
+/// they are.
+void derivativesWithin(const Surface& surface, const SurfacePlace& at, int order,
+                       std::span<Vec3> rows) noexcept;
 [[nodiscard]] Vec3 pointAt(const Surface& surface, const SurfacePlace& at) noexcept;
 
 /// The parameters, ascending, between which the surface is smooth: its knots, ends included.

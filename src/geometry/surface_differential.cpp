@@ -63,7 +63,7 @@ struct Diagonal {
     Diagonal(const Surface& surface, const SurfacePlace& at) noexcept {
         constexpr SurfaceOrders orders{seriesOrder, seriesOrder};
         std::array<Vec3, orders.size()> rows;
-        derivatives(surface, at, orders, rows);
+        derivativesWithin(surface, at, seriesOrder, rows);
         const Rectangle whole = domain(surface);
         const double stepU = at.sideU == Side::left ? -whole.u.length() : whole.u.length();
         const double stepV = at.sideV == Side::left ? -whole.v.length() : whole.v.length();
@@ -193,7 +193,7 @@ Vec3 plainNormal(const Vec3& su, const Vec3& sv, double lengthU, double lengthV)
 
 Vec3 unitNormal(const Surface& surface, const SurfacePlace& at) noexcept {
     std::array<Vec3, first.size()> rows{};
-    derivatives(surface, at, first, rows);
+    derivativesWithin(surface, at, 1, rows);
     const Vec3& su = rows[first.at(1, 0)];
     const Vec3& sv = rows[first.at(0, 1)];
     const Vec3 plain = plainNormal(surface, su, sv);
@@ -207,7 +207,7 @@ Vec3 unitNormal(const Surface& surface, const SurfacePlace& at) noexcept {
 
 Result<SurfaceCurvatures> curvatures(const Surface& surface, const SurfacePlace& at) {
     std::array<Vec3, second.size()> rows{};
-    derivatives(surface, at, second, rows);
+    derivativesWithin(surface, at, 2, rows);
     const Vec3& su = rows[second.at(1, 0)];
     const Vec3& sv = rows[second.at(0, 1)];
     const Vec3 plain = plainNormal(surface, su, sv);

@@ -40,7 +40,7 @@ Bends bendsAtCentre(const Surface& surface, const Rectangle& cell) noexcept {
     std::array<Vec3, orders.size()> rows;
     const double halfU = cell.u.length() / 2;
     const double halfV = cell.v.length() / 2;
-    derivatives(surface, {cell.u.start + halfU, cell.v.start + halfV}, orders, rows);
+    derivativesWithin(surface, {cell.u.start + halfU, cell.v.start + halfV}, taylorOrder, rows);
     Bends bends;
     double factorU = 1;  // half^a / a!, over the whole of S
     for (std::size_t a = 0; a <= taylorOrder; ++a) {
@@ -62,7 +62,7 @@ Bends bendsInCorner(const Surface& surface, const Rectangle& cell, bool endU, bo
     std::array<Vec3, orders.size()> rows;
     const SurfacePlace at{endU ? cell.u.end : cell.u.start, endV ? cell.v.end : cell.v.start,
                           endU ? Side::left : Side::right, endV ? Side::left : Side::right};
-    derivatives(surface, at, orders, rows);
+    derivativesWithin(surface, at, 2, rows);
     const double u = cell.u.length();
     const double v = cell.v.length();
     return {u * u * glm::length(rows[orders.at(2, 0)]), u * v * glm::length(rows[orders.at(1, 1)]),
@@ -124,10 +124,9 @@ Bends creasesIn(const Surface& surface, const Rectangle& cell) noexcept {
     for (std::size_t corner = 0; corner < 4; ++corner) {
         const bool endU = corner >= 2;
         const bool endV = corner % 2 == 1;
-        derivatives(surface,
-                    {endU ? cell.u.end : cell.u.start, endV ? cell.v.end : cell.v.start,
-                     endU ? Side::left : Side::right, endV ? Side::left : Side::right},
-                    orders, rows[corner]);
+        const SurfacePlace at{endU ? cell.u.end : cell.u.start, endV ? cell.v.end : cell.v.start,
+                              endU ? Side::left : Side::right, endV ? Side::left : Side::right};
+        derivativesWithin(surface, at, 1, rows[corner]);
     }
     const auto jump = [&](std::size_t from, std::size_t to, std::size_t a, std::size_t b) {
         return 2 * glm::length(rows[to][orders.at(a, b)] - rows[from][orders.at(a, b)]);
