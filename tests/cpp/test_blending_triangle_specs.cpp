@@ -95,7 +95,7 @@ TEST(BlendingTriangleSpec, RefusalsNameThePlaceOfTheFault) {
          Code::unknownName, "locals[1].name"},
         {locals(plane + R"(,{"type":"bspline-surface","degree":[1,1],"points":[[[0,0]],[[1,1]]]},)" +
                 plane),
-         Code::outOfRange, "locals[1].points[0]"},
+         Code::wrongLength, "locals[1].points[0]"},
         {R"("order":0)", Code::outOfRange, "order"},
         {R"("order":3)", Code::outOfRange, "order"},
         {R"("order":1.5)", Code::notInteger, "order"},

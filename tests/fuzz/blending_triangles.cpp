@@ -30,7 +30,7 @@ Surface splineOf(fuzz::Input& input) {
     return Surface(ParametricSurface::make("torus").value());
 }
 
-TriangleBlend blendOf(fuzz::Input& input) {
+TriangleBlend weightsOf(fuzz::Input& input) {
     TriangleBlend blend{input.whole(0, 3), {}};
     if (input.whole(0, 1) == 0) blend.blend = fuzz::blendOf(input, 2);
     return blend;
@@ -51,7 +51,7 @@ Surface patchOf(fuzz::Input& input, int depth) {
         default: {
             const Surface one = patchOf(input, depth - 1);
             const Surface other = patchOf(input, depth - 1);
-            auto made = BlendingTriangle::make({one, other, one}, blendOf(input));
+            auto made = BlendingTriangle::make({one, other, one}, weightsOf(input));
             return made ? Surface(*std::move(made)) : splineOf(input);
         }
     }
@@ -127,7 +127,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Surface one = patchOf(input, 2);
     const Surface other = patchOf(input, 2);
     const Surface third = patchOf(input, 1);
-    const auto triangle = BlendingTriangle::make({one, other, third}, blendOf(input));
+    const auto triangle = BlendingTriangle::make({one, other, third}, weightsOf(input));
     if (!triangle) {
         fuzz::check(!triangle.error().path.empty(), "a refusal says where");
         return 0;

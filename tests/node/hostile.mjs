@@ -108,6 +108,14 @@ export const surfaces = [
         type: 'blending-surface', bFunction: { family: 'linear' }, locals: [2, 3], kind: 'bezier', degree: [2, 3],
         model: { type: 'bspline-surface', degree: [2, 3], points: net }, form: ['open', 'closed'], knots: [[0, 1], [0, 1, 2, 3]],
     },
+    {
+        type: 'blending-triangle', order: 2,
+        locals: [{ type: 'bspline-surface', degree: [2, 3], points: net }, { type: 'parametric-surface', name: 'torus' }, { type: 'parametric-surface', name: 'plane' }],
+    },
+    {
+        type: 'blending-triangle', bFunction: { family: 'logistic', c: 2 },
+        locals: ['sphere', 'cone', 'plane'].map((name) => ({ type: 'parametric-surface', name })),
+    },
 ];
 
 export const traces = [
@@ -170,6 +178,7 @@ export const methods = {
     BsplineSurface: { ...surface, refine: ['list'] },
     ParametricSurface: surface,
     BlendingSurface: { ...surface, local: ['integer', 'integer'], withPose: ['list', 'object'] },
+    BlendingTriangle: { ...surface, local: ['integer'], weights: ['number', 'number'] },
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'],
     },

@@ -83,6 +83,13 @@ const lives = {
         refined.dispose();
         surface.dispose();
     }],
+    'triangles of surfaces': [1000, () => {
+        const triangle = kw.surface({ type: 'blending-triangle', locals: [patch, patch, patch] });
+        triangle.grid(9, 12);
+        triangle.local(1).dispose();
+        refuses(() => kw.surface({ ...triangle.spec, locals: [patch, patch] }), 'WRONG_LENGTH', 'locals');
+        triangle.dispose();
+    }],
     'B-functions': [10_000, () => {
         const b = kw.bFunction({ family: 'logistic', c: 2 });
         b.sample(10);

@@ -85,6 +85,10 @@ const handles = kw.surface({ type: 'blending-surface', bFunction: [b.spec, { fam
 const piece: [number, number] = handles.withPose([1, 2], { translate: [0, 0, 1] }).local(1, 2).domain[0];
 const four: number[] | undefined = kw.trace({ algorithm: 'blend', surface: handles.spec, u: 0, v: 1 }).frames[2].weights;
 void [four, piece, handles.knots[1][0], handles.localOrigins.length];
+const triangle = kw.surface({ type: 'blending-triangle', locals: [torus.spec, patch.spec, handles.spec], order: 2 });
+const byQuotients = kw.surface({ type: 'blending-triangle', locals: triangle.spec.locals, bFunction: { family: 'expo-rational' } });
+const shares: [number, number, number] = byQuotients.weights(0.5, 0.25);
+void [shares, triangle.local(2).normal(0, 0)[0]];
 void [finer.closed[0], bent, kw.parametricSurfaces[0].formula];
 const cube = kw.mesh({ solid: 'cube' });
 const ring = kw.mesh({ solid: 'torus', parameters: { around: 6, tube: 0.2 } });
@@ -112,6 +116,7 @@ for (const [name, text] of [
     ['a method of another kind of curve', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).knots;"],
     ['single precision', "(await load()).curve({ type: 'parametric-curve', name: 'circle' }).sample(3, { into: new Float32Array(9) });"],
     ['a parameter of another surface', "(await load()).surface({ type: 'parametric-surface', name: 'sphere', parameters: { R: 1 } });"],
+    ['a triangle of two patches', "(await load()).surface({ type: 'blending-triangle', locals: [{ type: 'parametric-surface', name: 'plane' }, { type: 'parametric-surface', name: 'plane' }] });"],
     ['a solid that does not exist', "(await load()).mesh({ solid: 'teapot' });"],
     ['a parameter of another solid', "(await load()).mesh({ solid: 'cube', parameters: { sides: 4 } });"],
     ['a code that does not exist', "new KnotworkError('OOPS', '', '');"],
@@ -166,6 +171,7 @@ const values = {
     FormulaCurve: kw.curve({ type: 'formula-curve', x: 't', y: 't^2', domain: [0, 1] }),
     BsplineSurface: kw.surface({ type: 'bspline-surface', degree: [1, 1], points: [[[0, 0], [1, 0]], [[0, 1], [1, 1]]] }),
     BlendingSurface: kw.surface({ type: 'blending-surface', bFunction: { family: 'linear' }, locals: [3, 2], model: { type: 'parametric-surface', name: 'torus' } }),
+    BlendingTriangle: kw.surface({ type: 'blending-triangle', locals: ['torus', 'plane', 'cone'].map((name) => ({ type: 'parametric-surface', name })) }),
     ParametricSurface: kw.surface({ type: 'parametric-surface', name: 'torus' }),
     Grid: kw.surface({ type: 'parametric-surface', name: 'plane' }).grid(2, 2),
     SurfaceTriangles: kw.surface({ type: 'parametric-surface', name: 'plane' }).triangles(),

@@ -1,5 +1,6 @@
-// First, mixed and second derivatives of model surfaces and of their blends against bicomplex steps
-// through the formulas, which no rule of differentiation has touched.
+// First, mixed and second derivatives of model surfaces and of their blends over rectangles and over
+// triangles against bicomplex steps through the formulas, which no rule of differentiation has
+// touched.
 #include "properties/property.hpp"
 #include "properties/surface_generators.hpp"
 
@@ -221,6 +222,61 @@ TEST(SurfaceStepsProperty, DerivativesOfBlendsAreTheStepsOfTheSumOfTheirPatches)
                                 stretch(surface.alongU(), at.u, at.sideU) *
                                 stretch(surface.alongV(), at.v, at.sideV);
             expectSteps(formula, at.u, at.v, found, gates::complexStepSlope * size);
+        }
+    });
+}
+
+// ---- Triangles ---------------------------------------------------------------------------------
+
+/// The weight of u, by its order or by a B-function.
+Bicomplex triangleWeight(const TriangleBlend& blend, const BlendFormula& formula,
+                         const Bicomplex& u, const Bicomplex& v, const Bicomplex& w) {
+    if (blend.blend) return formula.at(u) / (formula.at(u) + formula.at(v) + formula.at(w));
+    if (blend.order == 1) return u * u * (3.0 - 2.0 * u + 6.0 * v * w);
+    return u * u * u *
+           (10.0 - 15.0 * u + 6.0 * u * u + 30.0 * v * w * (3.0 * v * w - u + 1.0));
+}
+
+TEST(SurfaceStepsProperty, DerivativesOfTrianglesAreTheStepsOfTheSumOfTheirPatches) {
+    test::holds(200, [] {
+        const BlendFormula formula = *anyBlendFormula();
+        TriangleBlend blend{*test::whole(1, 2), {}};
+        if (*test::whole(0, 1) == 1) blend.blend = formula.function;
+        std::vector<ParametricSurface> patches;
+        for (int k = 0; k < 3; ++k) {
+            patches.push_back(test::ModelCase(*test::anyModelSurface()).surface());
+        }
+        const Surface surface =
+            BlendingTriangle::make({patches[0], patches[1], patches[2]}, blend).value();
+        const auto sum = [&](const Bicomplex& u, const Bicomplex& v) {
+            const std::array<Bicomplex, 3> at{1.0 - u, u * (1.0 - v), u * v};
+            Point all{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Bicomplex weight =
+                    triangleWeight(blend, formula, at[k], at[(k + 1) % 3], at[(k + 2) % 3]);
+                const Rectangle whole = patches[k].domain();
+                const Point point = test::modelFormula(
+                    patches[k].name(), patches[k].parameters(),
+                    whole.u.start + at[1] * whole.u.length(),
+                    whole.v.start + at[2] * whole.v.length());
+                for (std::size_t c = 0; c < 3; ++c) all[c] = all[c] + weight * point[c];
+            }
+            return all;
+        };
+        double size = 1;
+        for (const ParametricSurface& patch : patches) {
+            const Rectangle whole = patch.domain();
+            const double length = std::max(whole.u.length(), whole.v.length());
+            const SurfacePlace middle{(whole.u.start + whole.u.end) / 2,
+                                      (whole.v.start + whole.v.end) / 2};
+            size = std::max(size, largestOf(matrixAt(patch, middle, second)) * length * length);
+        }
+        for (int k = 0; k < 10; ++k) {
+            // The corners and the sides of the square among them.
+            const double u = k < 4 ? k % 2 : std::abs(*test::real(1));
+            const double v = k < 4 ? k / 2 : k < 6 ? k % 2 : std::abs(*test::real(1));
+            const auto found = matrixAt(surface, {u, v}, second);
+            expectSteps(sum, u, v, found, gates::complexStepSlope * size);
         }
     });
 }
