@@ -689,8 +689,6 @@ export interface Surface extends Disposable {
     /**
      * A mesh whose triangles are nowhere farther from the surface than the tolerance (default 0.01),
      * with more of them where it is more curved; without cracks, and without edges at closed seams.
-     * (Of a blending triangle whose patches have knots inside, nearly so: the knots of a patch run
-     * across the triangles.)
      * TOO_LARGE where that takes more than 262144 vertices.
      */
     triangles(options?: { tolerance?: number }): SurfaceTriangles;

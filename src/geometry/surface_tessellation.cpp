@@ -83,42 +83,15 @@ Bends bendsBetweenKnots(const Surface& surface, const Rectangle& cell, double to
     return bends;
 }
 
-Interval firstHalf(const Interval& whole) noexcept {
-    return {whole.start, whole.start + whole.length() / 2};
-}
-Interval secondHalf(const Interval& whole) noexcept {
-    return {whole.start + whole.length() / 2, whole.end};
-}
-
-bool divisible(const Interval& interval) noexcept {
-    const double middle = interval.start + interval.length() / 2;
-    return interval.start < middle && middle < interval.end;
-}
-
-constexpr int partDepth = 2;  // sixteenths of a cell
-
 bool crossed(const Surface& surface, const Rectangle& cell) noexcept {
     const auto* triangle = surface.as<BlendingTriangle>();
     return triangle != nullptr && triangle->crossed(cell);
 }
 
-/// A cell that knots run across is looked at in parts: its centre says nothing of what lies beyond.
-Bends bendsAcrossKnots(const Surface& surface, const Rectangle& cell, double tolerance,
-                       int depth) noexcept {
-    if (depth == 0 || !crossed(surface, cell)) return bendsBetweenKnots(surface, cell, tolerance);
-    Bends most;
-    for (const Interval& u : {firstHalf(cell.u), secondHalf(cell.u)}) {
-        for (const Interval& v : {firstHalf(cell.v), secondHalf(cell.v)}) {
-            const Bends part = bendsAcrossKnots(surface, {u, v}, tolerance / 4, depth - 1);
-            most.raise({4 * part.uu, 4 * part.uv, 4 * part.vv});
-        }
-    }
-    return most;
-}
-
-/// What creases add that run across a cell. A jump of the slope, J, in the middle of h is J h/4 away
-/// from the straight line, as far as a second derivative of 2J/h.
-Bends creasesIn(const Surface& surface, const Rectangle& cell) noexcept {
+/// What the slopes in the corners of a cell tell that knots run across, beyond which its centre does
+/// not see. Over h, J of slope takes a second derivative of J/h somewhere; a crease in the middle is
+/// J h/4 away from the straight line, as far as one of 2J/h.
+Bends slopesAcross(const Surface& surface, const Rectangle& cell) noexcept {
     constexpr SurfaceOrders orders{1, 1};
     std::array<std::array<Vec3, orders.size()>, 4> rows;
     for (std::size_t corner = 0; corner < 4; ++corner) {
@@ -140,9 +113,10 @@ Bends creasesIn(const Surface& surface, const Rectangle& cell) noexcept {
 }
 
 Bends bendsOf(const Surface& surface, const Rectangle& cell, double tolerance) noexcept {
-    if (!crossed(surface, cell)) return bendsBetweenKnots(surface, cell, tolerance);
-    Bends bends = bendsAcrossKnots(surface, cell, tolerance, partDepth);
-    bends.raise(creasesIn(surface, cell));
+    Bends bends = bendsBetweenKnots(surface, cell, tolerance);
+    if (errorOf(bends) <= tolerance && crossed(surface, cell)) {
+        bends.raise(slopesAcross(surface, cell));
+    }
     return bends;
 }
 
@@ -164,6 +138,18 @@ std::vector<double> startsOf(const Interval& domain, std::span<const double> kno
     std::sort(starts.begin(), starts.end());
     starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
     return starts;
+}
+
+Interval firstHalf(const Interval& whole) noexcept {
+    return {whole.start, whole.start + whole.length() / 2};
+}
+Interval secondHalf(const Interval& whole) noexcept {
+    return {whole.start + whole.length() / 2, whole.end};
+}
+
+bool divisible(const Interval& interval) noexcept {
+    const double middle = interval.start + interval.length() / 2;
+    return interval.start < middle && middle < interval.end;
 }
 
 Error tooMany(double tolerance) {

@@ -144,6 +144,18 @@ TEST(BlendingTriangleTheorem, InEachCornerThePatchAloneCountsUpToTheOrder) {
     }
 }
 
+TEST(BlendingTriangleTheorem, CornersAreThoseOfPatchesWhoseEndsAreRounded) {
+    const double start = -1.1;
+    const double end = 0.3;
+    ASSERT_NE(start + (end - start), end);
+    const auto knots = KnotVector::make({start, start, end, end}, 1, 2, Form::clamped).value();
+    const std::vector<Vec3> points{{0, 0, 0}, {0, 1, 3}, {1, 0, 7}, {1, 1, 0}};
+    const Surface patch = BsplineSurface::make(knots, knots, points).value();
+    const Surface surface = triangleOf({patch, patch, patch});
+    EXPECT_EQ(pointAt(surface, placeAt(1, 0)), points[2]);
+    EXPECT_EQ(pointAt(surface, placeAt(1, 1)), points[1]);
+}
+
 TEST(BlendingTriangleTheorem, OnTheOppositeSideAPatchHasNoInfluenceUpToTheOrder) {
     const auto patches = test::threePatches();
     const Surface other = test::someSurface({2, 2, Form::clamped, Form::clamped, 3, 3, false, 99});
@@ -351,6 +363,23 @@ TEST(BlendingTriangle, TriangulationsStayWithinTheTolerance) {
             const auto mesh = trianglesWithin(surface, tolerance);
             ASSERT_TRUE(mesh.ok());
             EXPECT_LE(farthest(surface, *mesh), tolerance * (1 + 1e-9)) << tolerance;
+        }
+    }
+}
+
+TEST(BlendingTriangle, TriangulationsStayWithinTheToleranceWhereKnotsRunAcrossThem) {
+    for (unsigned seed = 1; seed <= 9; ++seed) {
+        const auto patch = [seed](unsigned k) -> Surface {
+            const int degree = 1 + static_cast<int>(seed + k) % 4;
+            const int other = 1 + static_cast<int>(seed / 2 + k) % 4;
+            return test::someSurface({degree, other, Form::clamped, Form::open,
+                                      degree + 1 + static_cast<int>(3 * seed + k) % 7, other + 4,
+                                      k == 2, 10 * seed + k});
+        };
+        const Surface surface = triangleOf({patch(1), patch(2), patch(3)});
+        for (const double tolerance : {1.0, 0.3, 0.1}) {
+            const auto mesh = trianglesWithin(surface, tolerance).value();
+            EXPECT_LE(farthest(surface, mesh), tolerance * (1 + 1e-9)) << seed;
         }
     }
 }

@@ -194,4 +194,25 @@ export const mutants = [
         replace: 'points.push_back(Vec3(point));',
         test: 'SurfaceProperty.RefinementInBothDirectionsKeepsTheSurface',
     },
+    {
+        name: 'B(u) over a sum that forgets a corner: weights of a triangle that do not sum to one',
+        file: 'triangle_weights.cpp',
+        find: 'sum[gradedAt(0, n)] += along[2][n];',
+        replace: 'sum[gradedAt(0, n)] += along[1][n];',
+        test: 'TriangleWeights.SumToOneAndAreNeverNegative',
+    },
+    {
+        name: 'a collapsed square without its product: the mixed derivatives of a triangle',
+        file: 'blending_triangle.cpp',
+        find: 'timesBilinear({0, v, u, 1}, order - j, terms);',
+        replace: 'timesBilinear({0, v, u, 0}, order - j, terms);',
+        test: 'BlendingTriangle.HasTheDerivativesOfItsFormulaInEveryDirection',
+    },
+    {
+        name: 'knots of a patch seen from the wrong side of the triangle',
+        file: 'blending_triangle.cpp',
+        find: 'sideOf((1 - at.v) * du - at.u * dv, -du * dv)',
+        replace: 'sideOf((1 - at.v) * du + at.u * dv, -du * dv)',
+        test: 'BlendingTriangle.KnotsOfPatchesAreSeenFromTheSideThatAPlaceIsApproachedFrom',
+    },
 ];
