@@ -114,7 +114,8 @@ constexpr std::array blendingFields{
 };
 
 constexpr std::array oneLocal{
-    Field{.name = "local", .label = "Local patch", .kind = FieldKind::surface}};
+    Field{.name = "local", .label = "Local patch", .kind = FieldKind::surface,
+          .help = "The surface that alone counts in one corner."}};
 
 constexpr std::array triangleFields{
     Field{.name = "locals", .label = "Local patches", .kind = FieldKind::list,
