@@ -127,11 +127,12 @@ private:
         }
     }
 
-    /// Rows of points or of numbers, one field each; a list of anything else is one value.
+    /// Rows of points or of numbers and surfaces one by one; a list of anything else is one value.
     void list(const Json& parent, const Field& field, const Json& value, const std::string& path,
               const std::string& group) {
         const Field& element = field.fields.all().front();
-        if (element.kind != FieldKind::points && element.kind != FieldKind::numbers) {
+        constexpr std::array single{FieldKind::points, FieldKind::numbers, FieldKind::surface};
+        if (std::find(single.begin(), single.end(), element.kind) == single.end()) {
             return leaf(field, value, path, group, {});
         }
         for (std::size_t i = 0; i < value.size(); ++i) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 namespace knotwork::scene {
@@ -127,6 +128,16 @@ TEST(BlendingTriangleSpec, ItsTableSaysThatThereAreThreePatches) {
     EXPECT_EQ(type->fields.front().name, "locals");
     EXPECT_EQ(type->fields.front().min, 3);
     EXPECT_EQ(type->fields.front().max, 3);
+}
+
+TEST(BlendingTriangleSpec, PanelsShowTheFieldsOfEachPatch) {
+    std::vector<std::string> paths;
+    for (const PanelField& field : panelFields(makeSurface(triangle())->spec)) {
+        paths.push_back(field.path);
+    }
+    for (const char* path : {"locals[0].parameters.R", "locals[1].parameters.width", "order"}) {
+        EXPECT_NE(std::find(paths.begin(), paths.end(), path), paths.end()) << path;
+    }
 }
 
 }  // namespace
