@@ -45,6 +45,8 @@ export function makeApi(module) {
         interpolate: (request) => interpolate(core, request),
         /** @param {unknown} points @param {unknown} [given] */
         enclosingSphere: (points, given) => enclosingSphere(core, points, given),
+        /** @param {unknown} spec */
+        axioms: (spec) => core.json('ask', 'axioms', core.send(spec)).axioms,
         /** @param {unknown} given the algorithm and its arguments */
         trace: (given) => core.json('ask', 'trace', core.send(given)),
         /** @param {unknown} document */

@@ -34,6 +34,11 @@ export interface Knotwork {
     bFunction(spec: BFunctionSpec): BFunction;
     /** The families of B-functions and their parameters. */
     readonly bFunctions: BFunctionFamily[];
+    /**
+     * How a B-function stands with the axioms D1 to D5. A formula may break any of them here, and is
+     * not refused for it.
+     */
+    axioms(spec: BFunctionSpec): AxiomVerdict[];
 
     curve(spec: BsplineCurveSpec): BsplineCurve;
     curve(spec: ParametricCurveSpec): ParametricCurve;
@@ -111,6 +116,18 @@ export interface IntoOption {
 }
 
 // B-functions
+
+export interface AxiomVerdict {
+    axiom: 'D1' | 'D2' | 'D3' | 'D4' | 'D5';
+    statement: string;
+    holds: boolean;
+    /** Where it is broken first. */
+    t?: number;
+    /** The value there, the slope for D4, B(t) + B(1 − t) for D5. */
+    found?: number;
+    /** The statement, or why it does not hold. */
+    text: string;
+}
 
 export type BFunctionSpec =
     | { family: 'linear' }
@@ -850,12 +867,22 @@ export interface PointCloudSpec {
     };
 }
 
+/** The graph of a proposed B-function, with the checklist of its axioms. */
+export interface BFunctionGraphSpec {
+    type: 'b-function';
+    bFunction: BFunctionSpec;
+    /** The lower left corner of its picture, default the origin. */
+    at?: Point;
+    /** The side of its picture, default 1. */
+    size?: number;
+}
+
 export type Shown =
     | 'curve' | 'surface' | 'isolines' | 'wireframe' | 'polygon' | 'points' | 'knots' | 'locals' | 'handles'
     | 'basis' | 'bFunction' | 'comb' | 'hodograph' | 'osculating' | 'hull' | 'frames' | 'sphere' | 'residuals'
     | 'labels';
 
-export type SceneObject = (CurveSpec | SurfaceSpec | SubdivisionSurfaceSpec | PointCloudSpec) & {
+export type SceneObject = (CurveSpec | SurfaceSpec | SubdivisionSurfaceSpec | PointCloudSpec | BFunctionGraphSpec) & {
     id?: string;
     style?: { colour?: string; width?: number };
     show?: Partial<Record<Shown, boolean>>;

@@ -1,5 +1,6 @@
-// Traces, whose arguments depend on the algorithm: the scene checks them.
+// Traces and checklists, whose arguments are checked by the scene.
 #include "bindings/queries.hpp"
+#include "scene/axioms.hpp"
 #include "scene/trace.hpp"
 
 #include <array>
@@ -14,7 +15,14 @@ Result<Answer> trace(const scene::Json& arguments) {
     return Answer{.json = scene::traceJson(*made)};
 }
 
-constexpr std::array queries{FreeQuery{"trace", {}, false, trace}};
+Result<Answer> axioms(const scene::Json& arguments) {
+    const auto candidate = scene::makeCandidate(arguments);
+    if (!candidate) return candidate.error();
+    return Answer{.json = {{"axioms", scene::describeAxioms(candidate->value)}}};
+}
+
+constexpr std::array queries{FreeQuery{"trace", {}, false, trace},
+                             FreeQuery{"axioms", {}, false, axioms}};
 
 }  // namespace
 

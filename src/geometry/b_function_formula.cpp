@@ -1,4 +1,5 @@
 // B-functions that a person types: the check against the axioms, and what is found out about them.
+#include "geometry/b_function_axioms.hpp"
 #include "geometry/b_function_families.hpp"
 #include "geometry/formula.hpp"
 
@@ -12,13 +13,9 @@ namespace knotwork::b_function {
 
 namespace {
 
-constexpr double valueTolerance = 1e-12;
-constexpr double slopeTolerance = 1e-9;
 /// Taylor coefficients at an end that are smaller than this are roundings: those of a function
 /// that rises from 0 to 1 on [0,1] are of the size of 1.
 constexpr double coefficientTolerance = 1e-10;
-constexpr int uniformPoints = 2520;
-constexpr int deepestPoint = 40;  // 2^-40 from an end
 constexpr double smallestPower = 1.0 / 64;
 
 constexpr std::string_view kinkWarning =
@@ -34,96 +31,36 @@ std::string at(double t, double value) {
     return "B(" + formatNumber(t) + ") = " + formatNumber(value);
 }
 
-/// The value at an end, or its limit where the formula itself has none there (as 1/t in an
-/// exponent).
-double endValue(const Formula& formula, double end) noexcept {
-    const double value = formula.value(end);
-    if (std::isfinite(value)) return value;
-    const double limit = formula.value(end == 0 ? 1e-300 : 1 - 0x1p-53);
-    return std::abs(limit - end) <= valueTolerance ? limit : value;
+Error endError(double end, double value) {
+    const std::string_view axiom =
+        end == 0 ? "B(0) must be 0 (axiom D2)" : "B(1) must be 1 (axiom D3)";
+    return violation(std::isfinite(value) ? Code::outOfRange : Code::notFinite, axiom,
+                     at(end, value));
 }
 
-std::optional<Error> checkEnds(const Formula& formula) {
-    for (const double end : {0.0, 1.0}) {
-        const std::string_view axiom =
-            end == 0 ? "B(0) must be 0 (axiom D2)" : "B(1) must be 1 (axiom D3)";
-        const double value = endValue(formula, end);
-        if (!std::isfinite(value)) return violation(Code::notFinite, axiom, at(end, value));
-        if (std::abs(value - end) > valueTolerance) {
-            return violation(Code::outOfRange, axiom, at(end, value));
-        }
-    }
-    return std::nullopt;
+Error rangeError(const AxiomBreach& breach) {
+    return violation(std::isfinite(breach.found) ? Code::outOfRange : Code::notFinite,
+                     "B must map [0, 1] to [0, 1] (axiom D1)", at(breach.t, breach.found));
 }
 
-/// A uniform grid that comes close to both ends, where much can happen.
-std::vector<double> gridPoints() {
-    std::vector<double> points;
-    for (int i = 1; i < uniformPoints; ++i) points.push_back(double(i) / uniformPoints);
-    for (int k = 12; k <= deepestPoint; ++k) {
-        points.push_back(std::ldexp(1.0, -k));
-        points.push_back(1 - std::ldexp(1.0, -k));
-    }
-    std::sort(points.begin(), points.end());
-    return points;
-}
-
-struct Sample {
-    double t;
-    Jet jet;  // of order 2
-
-    [[nodiscard]] double value() const noexcept { return jet[0]; }
-    [[nodiscard]] double slope() const noexcept { return jet[1]; }
-    [[nodiscard]] double bend() const noexcept { return jet[2]; }
-};
-
-Sample sampleAt(const Formula& formula, double t) noexcept {
-    return {t, formula.jet(Jet::variable(t, 2))};
-}
-
-std::optional<Error> checkSlope(const Sample& sample) {
-    if (!(sample.slope() < -slopeTolerance)) return std::nullopt;  // also one that is NaN
+Error slopeError(const AxiomBreach& breach) {
+    const std::string t = formatNumber(breach.t);
     return violation(Code::outOfRange, "B must not decrease (axiom D4)",
-                     "its slope at t = " + formatNumber(sample.t) + " is " +
-                         formatNumber(sample.slope()));
+                     breach.found < 0 ? "its slope at t = " + t + " is " + formatNumber(breach.found)
+                                      : "it has fallen before t = " + t);
 }
 
-std::optional<Error> checkSample(const Sample& sample, double before) {
-    constexpr std::string_view range = "B must map [0, 1] to [0, 1] (axiom D1)";
-    const double value = sample.value();
-    if (!std::isfinite(value)) return violation(Code::notFinite, range, at(sample.t, value));
-    if (auto error = checkSlope(sample)) return error;
-    if (value < before - valueTolerance) {
-        return violation(Code::outOfRange, "B must not decrease (axiom D4)",
-                         at(sample.t, value) + " after " + formatNumber(before));
+/// The first thing that keeps a formula from being a B-function: at an end, else in the order of t.
+/// A value that is taken for a while is let pass.
+std::optional<Error> firstBreach(const AxiomBreaches& breaches) {
+    const auto& [range, start, end, slope, symmetry] = breaches;
+    if (start) return endError(0, start->found);
+    if (end) return endError(1, end->found);
+    const bool leaves = range && !(range->found >= 0 && range->found <= 1);
+    if (leaves && (!slope || range->t < slope->t || !std::isfinite(range->found))) {
+        return rangeError(*range);
     }
-    if (value < -valueTolerance || value > 1 + valueTolerance) {
-        return violation(Code::outOfRange, range, at(sample.t, value));
-    }
-    return std::nullopt;
-}
-
-/// Where the slope has a minimum between two samples, it is looked at too.
-std::optional<Error> checkBetween(const Formula& formula, Sample a, Sample b) {
-    if (!(a.bend() < 0 && b.bend() > 0)) return std::nullopt;
-    for (int i = 0; i < 30; ++i) {
-        const Sample middle = sampleAt(formula, a.t + (b.t - a.t) / 2);
-        if (auto error = checkSlope(middle)) return error;
-        (middle.bend() < 0 ? a : b) = middle;
-    }
-    return std::nullopt;
-}
-
-std::optional<Error> checkInside(const Formula& formula) {
-    Sample before = sampleAt(formula, 0);
-    double highest = 0;
-    for (const double t : gridPoints()) {
-        const Sample sample = sampleAt(formula, t);
-        if (auto error = checkSample(sample, highest)) return error;
-        if (auto error = checkBetween(formula, before, sample)) return error;
-        highest = std::max(highest, sample.value());
-        before = sample;
-    }
+    if (slope) return slopeError(*slope);
     return std::nullopt;
 }
 
@@ -211,16 +148,6 @@ End endOf(const Formula& formula, double end) noexcept {
     return found;
 }
 
-bool isSymmetric(const Formula& formula) noexcept {
-    for (int i = 1; i <= uniformPoints / 2; ++i) {
-        const double t = double(i) / uniformPoints;
-        if (!(std::abs(formula.value(t) + formula.value(1 - t) - 1) <= valueTolerance)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 bool isFractional(double power) noexcept {
     return std::isfinite(power) && power != std::trunc(power);
 }
@@ -236,13 +163,13 @@ struct UserFormula::Checked {
 Result<UserFormula> UserFormula::make(std::string_view expression) {
     auto formula = Formula::make(expression, "expression");
     if (!formula) return formula.error();
-    if (auto error = checkEnds(*formula)) return *std::move(error);
-    if (auto error = checkInside(*formula)) return *std::move(error);
+    const AxiomBreaches breaches = axiomBreaches(*formula);
+    if (auto error = firstBreach(breaches)) return *std::move(error);
     UserFormula made;
     const End start = endOf(*formula, 0);
     const End end = endOf(*formula, 1);
     made.powers_ = {start.power, end.power};
-    made.symmetric_ = isSymmetric(*formula);
+    made.symmetric_ = !breaches.back();
     const auto program = formula->program();
     if (std::any_of(program.begin(), program.end(),
                     [](const auto& each) { return each.op == formula::Op::abs; })) {

@@ -1,10 +1,12 @@
-// What an object of a scene is: a curve, a surface, a subdivision surface or a cloud of points.
+// What an object of a scene is: a curve, a surface, a subdivision surface, a cloud of points, or a
+// proposed B-function.
 #pragma once
 
 #include "geometry/curve.hpp"
 #include "geometry/fitting.hpp"
 #include "geometry/mesh_subdivision.hpp"
 #include "geometry/surface.hpp"
+#include "scene/axioms.hpp"
 
 #include <memory>
 #include <optional>
@@ -29,6 +31,13 @@ struct PointCloud {
     std::optional<Fit> fit;
 };
 
+/// The graph of a proposed B-function over the square with this lower left corner and this side.
+struct FunctionGraph {
+    Candidate candidate;
+    Vec3 at{0.0};
+    double size = 1;
+};
+
 /// Cheap to copy: what it holds is immutable and shared.
 class Body {
 public:
@@ -36,6 +45,7 @@ public:
     Body(Surface surface) : kind_(std::move(surface)) {}
     Body(SubdivisionSurface surface) : kind_(share(std::move(surface))) {}
     Body(PointCloud cloud) : kind_(share(std::move(cloud))) {}
+    Body(FunctionGraph graph) : kind_(share(std::move(graph))) {}
 
     // Each is null where the body is of another kind.
     [[nodiscard]] const Curve* curve() const noexcept { return std::get_if<Curve>(&kind_); }
@@ -44,6 +54,7 @@ public:
         return held<SubdivisionSurface>();
     }
     [[nodiscard]] const PointCloud* cloud() const noexcept { return held<PointCloud>(); }
+    [[nodiscard]] const FunctionGraph* graph() const noexcept { return held<FunctionGraph>(); }
 
     /// The curve or surface where it is of the kind T, else null.
     template <class T>
@@ -67,7 +78,7 @@ private:
     }
 
     std::variant<Curve, Surface, std::shared_ptr<const SubdivisionSurface>,
-                 std::shared_ptr<const PointCloud>>
+                 std::shared_ptr<const PointCloud>, std::shared_ptr<const FunctionGraph>>
         kind_;
 };
 

@@ -60,6 +60,14 @@ Result<Body> buildPointCloud(Json& spec) {
     return Body(std::move(cloud));
 }
 
+Result<Body> buildGraph(Json& spec) {
+    auto candidate = makeCandidate(*member(spec, "bFunction"));
+    if (!candidate) return candidate.error().under("bFunction");
+    spec["bFunction"] = std::move(candidate->spec);
+    return Body(FunctionGraph{std::move(candidate->value), vec3Of(*member(spec, "at")),
+                              numberOr(spec, "size", 1)});
+}
+
 /// What stands in the style and the show of an object, with the defaults of what does not.
 Result<Done> fillGroup(Json& spec, std::string_view group) {
     const auto field = std::find_if(objectFields().begin(), objectFields().end(),
@@ -83,7 +91,9 @@ Result<Body> buildBody(Json& spec) {
         if (!surface) return surface.error();
         return Body(std::move(*surface));
     }
-    auto body = type == "point-cloud" ? buildPointCloud(spec) : buildSubdivisionSurface(spec);
+    auto body = type == "point-cloud"  ? buildPointCloud(spec)
+                : type == "b-function" ? buildGraph(spec)
+                                       : buildSubdivisionSurface(spec);
     if (body) spec = inOrder(spec, findObjectType(type)->fields);
     return body;
 }

@@ -9,8 +9,8 @@
 
 namespace knotwork::scene {
 
-/// An object of a scene: the specification of a curve, a surface, a subdivision surface or a cloud
-/// of points, with `id`, `style` and `show`, the last two filled in; an id that was left out stays
+/// An object of a scene: the specification of a curve, a surface, a subdivision surface, a cloud of
+/// points or a proposed B-function, with `id`, `style` and `show`, the last two filled in; an id that was left out stays
 /// out.
 [[nodiscard]] Result<Made<Body>> makeObject(const Json& spec);
 

@@ -40,9 +40,19 @@ constexpr std::array cloudFields{
           .fields = fitFields},
 };
 
+constexpr std::array graphFields{
+    Field{.name = "bFunction", .label = "B-function", .kind = FieldKind::bFunction,
+          .help = "What is proposed; a formula may break any of the axioms.", .required = true},
+    Field{.name = "at", .label = "At", .kind = FieldKind::point,
+          .help = "The lower left corner of its picture.", .defaultJson = "[0,0]"},
+    Field{.name = "size", .label = "Size", .kind = FieldKind::number,
+          .help = "The side of its picture.", .min = 1e-6, .max = 1e9, .defaultJson = "1"},
+};
+
 constexpr std::array ownTypes{
     ObjectType{"subdivision-surface", "Subdivision surface", subdivisionFields},
     ObjectType{"point-cloud", "Point cloud", cloudFields},
+    ObjectType{"b-function", "B-function", graphFields},
 };
 
 constexpr Field flag(std::string_view name, std::string_view label, std::string_view help,
@@ -103,6 +113,7 @@ constexpr std::string_view ownFlags(std::string_view type) noexcept {
     if (type == "bspline-surface") return "polygon points labels";
     if (type == "blending-surface") return "locals handles bFunction labels";
     if (type == "subdivision-surface") return "surface wireframe polygon points sphere labels";
+    if (type == "b-function") return "curve labels";
     if (type == "point-cloud") return "curve polygon points knots basis residuals hull sphere labels";
     return "";
 }

@@ -26,7 +26,9 @@ constexpr const char* everything = R"({
          "poses": [{"local": [1, 1], "translate": [0, 0, 1]}]},
         {"id": "ball", "type": "subdivision-surface", "levels": 2, "mesh": {"solid": "cube"}},
         {"id": "data", "type": "point-cloud", "points": [[0,0],[1,1],[2,0],[3,1],[4,0]],
-         "fit": {"degree": 2, "count": 4}}]})";
+         "fit": {"degree": 2, "count": 4}},
+        {"id": "article", "type": "b-function", "at": [1, 2], "size": 3,
+         "bFunction": {"family": "formula", "expression": "sin(pi*t)^2"}}]})";
 
 TEST(SceneObjects, EveryTypeIsMadeAndWrittenBack) {
     const Scene scene = Scene::open(json(everything)).value();
@@ -41,6 +43,9 @@ TEST(SceneObjects, EveryTypeIsMadeAndWrittenBack) {
     ASSERT_NE(objects[4]->body.cloud(), nullptr);
     EXPECT_EQ(objects[4]->body.cloud()->fit->curve.points().size(), 4U);
     EXPECT_EQ(objects[4]->body.curve(), nullptr);
+    ASSERT_NE(objects[5]->body.graph(), nullptr);
+    EXPECT_EQ(objects[5]->body.graph()->candidate.value(0.5), 1);
+    EXPECT_EQ(objects[5]->body.graph()->at, Vec3(1, 2, 0));
     const Json document = scene.document();
     EXPECT_EQ(dumpJson(Scene::open(document)->document()), dumpJson(document));
 }
@@ -57,7 +62,7 @@ TEST(SceneObjects, CanonicalKeysStandInTheOrderOfTheTables) {
 }
 
 TEST(SceneObjects, RefusalsNameTheirPlace) {
-    const std::array<std::tuple<const char*, Code, const char*>, 7> refusals{{
+    const std::array<std::tuple<const char*, Code, const char*>, 8> refusals{{
         {R"({"type": "subdivision-surface"})", Code::wrongType, "mesh"},
         {R"({"type": "subdivision-surface", "mesh": 3})", Code::wrongType, "mesh"},
         {R"({"type": "subdivision-surface", "mesh": {"solid": "cub"}})", Code::unknownName,
@@ -68,6 +73,8 @@ TEST(SceneObjects, RefusalsNameTheirPlace) {
          Code::tooLarge, "levels"},
         {R"({"type": "point-cloud", "points": [[0,0],[1,0]], "fit": {"degree": 3, "count": 2}})",
          Code::outOfRange, "fit.count"},
+        {R"({"type": "b-function", "bFunction": {"family": "formula", "expression": "t+"}})",
+         Code::syntax, "bFunction.expression"},
         {R"({"type": "point-cloud", "points": [], "sho": 1})", Code::unknownField, "sho"},
     }};
     for (const auto& [spec, code, path] : refusals) {

@@ -98,6 +98,28 @@ test('a B-function that is typed has the orders and the symmetry of its formula'
     assert.ok(kw.bFunctions.some(({ family }) => family === 'formula'));
 });
 
+test('the axioms are a checklist for whatever is typed', () => {
+    const article = kw.axioms({ family: 'formula', expression: 'sin(pi*t)^2' });
+    assert.deepEqual(article.map(({ axiom }) => axiom), ['D1', 'D2', 'D3', 'D4', 'D5']);
+    assert.deepEqual(article.map(({ holds }) => holds), [false, true, false, false, false]);
+    assert.equal(article[2].text, 'Not so: B(1) = 0.');
+    assert.match(article[0].text, /takes values twice/);
+    near(article[2].t, 1, 0);
+    near(article[4].found, 2 * sin(PI * article[4].t) ** 2, tolerances.exact);
+    const right = kw.axioms({ family: 'formula', expression: 'sin(pi*t/2)^2' });
+    assert.ok(right.every(({ holds, text, statement }) => holds && text === `${statement}.`));
+    for (const { family } of kw.bFunctions) {
+        if (!['tabulated', 'formula', 'dual', 'symmetrised', 'composed', 'mixed'].includes(family)) {
+            assert.ok(kw.axioms({ family }).every(({ holds }) => holds), family);
+        }
+    }
+    assert.deepEqual(kw.axioms({ family: 'polynomial', p: 1, q: 3 }).map(({ holds }) => holds),
+        [true, true, true, true, false]);
+    refuses(() => kw.axioms({ family: 'formula', expression: 't+' }), 'SYNTAX', 'expression');
+    refuses(() => kw.axioms({ family: 'formula' }), 'WRONG_TYPE', 'expression');
+    refuses(() => kw.axioms('t'), 'WRONG_TYPE', '');
+});
+
 test('what is no B-function is refused with the axiom that it breaks', () => {
     const typed = (expression) => kw.bFunction({ family: 'formula', expression });
     refuses(() => typed('sin(pi*t)^2'), 'OUT_OF_RANGE', 'expression');
