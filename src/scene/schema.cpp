@@ -174,13 +174,25 @@ Json meshSchema() {
         return Json{{"type", "object"}, {"properties", std::move(properties)},
                     {"required", std::move(required)}, {"additionalProperties", false}};
     };
+    const auto described = [](std::string_view title, std::string_view help, Json kind) {
+        Json schema{{"title", title}, {"description", help}};
+        schema.update(kind);
+        return schema;
+    };
+    const Json text{{"type", "string"}};
     const Json numbers{{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
     const Json index{{"type", "integer"}, {"minimum", 0}};
     return {{"anyOf",
-             {only({{"solid", {{"type", "string"}}}, {"parameters", numbers}}, {"solid"}),
-              only({{"vertices", listOf(tuple(2, 3))}, {"faces", listOf(listOf(index))}},
-                   {"vertices", "faces"}),
-              only({{"obj", {{"type", "string"}}}}, Json::array({"obj"}))}}};
+             {only({{"solid", described("Solid", "The name of a solid such as \"cube\".", text)},
+                    {"parameters", described("Parameters", "The numbers of its faces.", numbers)}},
+                   Json::array({"solid"})),
+              only({{"vertices", described("Vertices", "The points of the mesh.",
+                                           listOf(tuple(2, 3)))},
+                    {"faces", described("Faces", "The vertices of each, counted from 0.",
+                                        listOf(listOf(index)))}},
+                   Json::array({"vertices", "faces"})),
+              only({{"obj", described("OBJ", "The text of an OBJ file.", text)}},
+                   Json::array({"obj"}))}}};
 }
 
 Json effectSchema() {

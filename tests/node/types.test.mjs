@@ -64,7 +64,8 @@ const trace = kw.trace({ algorithm: 'lane-riesenfeld', points: new Float64Array(
 const said: [string, string | undefined] = [trace.frames[0].text, trace.frames[0].formula];
 const link: string = await kw.encodeLink(scene.document);
 kw.scene(await kw.decodeLink(link)).dispose();
-try { kw.curve(kw.scenes[0].document.objects![0]); } catch (error) {
+const object = kw.scenes[0].document.objects![0];
+try { if (object.type === 'blending-curve') kw.curve(object); } catch (error) {
     if (error instanceof KnotworkError && error.code === 'OUT_OF_RANGE') console.log(error.path);
 }
 const corners = kw.curve({ type: 'subdivision-curve', scheme: 'four-point', points: [[0, 0], [1, 0], [1, 1]], tension: 0.1 });
