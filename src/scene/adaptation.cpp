@@ -279,10 +279,31 @@ Json sampledValues(const Json& spec) {
     return listOf(values);
 }
 
+/// The parameters that were left as they are, moved to the end of a domain that has shrunk.
+void keepParameters(const Json& before, Json& after) {
+    const auto stays = [](const Json& from, const Json& to) {
+        const Json* t = member(to, "t");
+        return t != nullptr && t->is_number() && !differs(from, to, "t");
+    };
+    const Json* former = member(before, "trace");
+    const Json* trace = member(after, "trace");
+    const bool own = stays(before, after);
+    const bool traced = former != nullptr && trace != nullptr && stays(*former, *trace);
+    if (!own && !traced) return;
+    const auto made = makeCurve(after);
+    if (!made || isClosed(made->value)) return;
+    const Interval whole = domain(made->value);
+    const auto keep = [&](Json& t) { t = std::clamp(t.get<double>(), whole.start, whole.end); };
+    if (own) keep(after["t"]);
+    if (traced) keep(after["trace"]["t"]);
+}
+
 }  // namespace
 
 Json adaptObject(const Json& before, Json after) {
-    if (findCurveType(stringOr(after, "type", "")) != nullptr) adaptCurve(before, after);
+    if (findCurveType(stringOr(after, "type", "")) == nullptr) return after;
+    adaptCurve(before, after);
+    keepParameters(before, after);
     return after;
 }
 

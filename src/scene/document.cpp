@@ -1,6 +1,7 @@
 #include "scene/document.hpp"
 
 #include "scene/object_builders.hpp"
+#include "scene/object_trace.hpp"
 #include "scene/validation.hpp"
 
 #include <algorithm>
@@ -116,10 +117,15 @@ Result<std::shared_ptr<const Object>> readObject(const Json& spec) {
     if (id.empty()) {
         return refuse(Code::outOfRange, "id", "An id is a text of at least one character.");
     }
+    const auto parameter = parameterOf(made->spec, made->value);
+    if (!parameter) return parameter.error();
+    auto trace = traceOf(made->spec, made->value, *parameter);
+    if (!trace) return trace.error();
     const Style style = styleOf(made->spec);
     const Show show = showOf(made->spec);
     return std::make_shared<const Object>(Object{std::move(made->spec), std::move(id), style, show,
-                                                 std::move(made->value)});
+                                                 std::move(made->value), *parameter,
+                                                 std::move(trace->trace), trace->frame});
 }
 
 Result<State> readDocument(const Json& document) {

@@ -92,6 +92,38 @@ constexpr std::array showFields{
     flag("labels", "Labels", "Names of points and knots.", "false"),
 };
 
+constexpr std::array algorithmChoices{Choice{"de-boor", "De Boor"},
+                                      Choice{"cox-de-boor", "Cox–de Boor"},
+                                      Choice{"factor-matrices", "Factor matrices"},
+                                      Choice{"boehm", "Boehm"},
+                                      Choice{"oslo", "Oslo"},
+                                      Choice{"lane-riesenfeld", "Lane–Riesenfeld"},
+                                      Choice{"four-point", "Four-point"},
+                                      Choice{"blend", "Blend"},
+                                      Choice{"catmull-clark", "Catmull–Clark"}};
+
+constexpr std::array traceFields{
+    Field{.name = "algorithm", .label = "Algorithm", .kind = FieldKind::choice,
+          .help = "What is shown step by step; it must work on objects of this type.",
+          .required = true, .choices = algorithmChoices},
+    Field{.name = "t", .label = "Parameter", .kind = FieldKind::number,
+          .help = "Where a curve is evaluated; the object's parameter if it is left out."},
+    Field{.name = "u", .label = "u", .kind = FieldKind::number,
+          .help = "Where a surface is evaluated; the middle if it is left out."},
+    Field{.name = "v", .label = "v", .kind = FieldKind::number,
+          .help = "Where a surface is evaluated; the middle if it is left out."},
+    Field{.name = "knot", .label = "Knot", .kind = FieldKind::number,
+          .help = "The knot that is put in; the object's parameter if it is left out."},
+    Field{.name = "knots", .label = "Knots", .kind = FieldKind::numbers,
+          .help = "All knots of the refined curve; every span is halved if they are left out."},
+    Field{.name = "levels", .label = "Levels", .kind = FieldKind::integer,
+          .help = "How often it is refined; the object's levels if it is left out.", .min = 0,
+          .max = 20, .maxIsSize = true},
+    Field{.name = "frame", .label = "Step", .kind = FieldKind::integer,
+          .help = "The step that is shown, from 0; the last one beyond the end.", .min = 0,
+          .max = 1e6, .defaultJson = "0"},
+};
+
 constexpr std::array objectTable{
     Field{.name = "id", .label = "Name", .kind = FieldKind::text,
           .help = "The name by which effects and commands call the object."},
@@ -99,6 +131,10 @@ constexpr std::array objectTable{
           .defaultJson = "{}", .fields = styleFields},
     Field{.name = "show", .label = "Show", .kind = FieldKind::group, .help = "What is drawn.",
           .defaultJson = "{}", .fields = showFields},
+    Field{.name = "t", .label = "Parameter", .kind = FieldKind::number,
+          .help = "Where the curve is measured; the middle of its domain if it is left out."},
+    Field{.name = "trace", .label = "Trace", .kind = FieldKind::group,
+          .help = "A step of an algorithm that is shown on the object.", .fields = traceFields},
 };
 
 constexpr std::string_view everyCurve = "curve comb hodograph osculating frames sphere";

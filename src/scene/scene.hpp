@@ -17,6 +17,8 @@
 
 namespace knotwork::scene {
 
+struct Trace;
+
 /// What of an object is drawn.
 struct Show {
     bool curve = true;
@@ -52,6 +54,10 @@ struct Object {
     Style style;
     Show show;
     Body body;
+    /// Where the frame, the osculating circle … are taken, in the domain.
+    double parameter = 0;
+    std::shared_ptr<const Trace> trace = {};  ///< null: none is shown
+    std::size_t traceFrame = 0;               ///< which of its frames is
 };
 
 enum class EffectKind { translate, rotate, scale, simulate, morph, colour };
