@@ -886,7 +886,28 @@ export type SceneObject = (CurveSpec | SurfaceSpec | SubdivisionSurfaceSpec | Po
     id?: string;
     style?: { colour?: string; width?: number };
     show?: Partial<Record<Shown, boolean>>;
+    /** Where the curve is measured; the middle of its domain if it is left out. */
+    t?: number;
+    trace?: ShownTrace;
 };
+
+/** A step of an algorithm that works on objects of this type, as kw.trace() has it. */
+export interface ShownTrace {
+    algorithm:
+        | 'de-boor' | 'cox-de-boor' | 'factor-matrices' | 'boehm' | 'oslo' | 'lane-riesenfeld' | 'four-point'
+        | 'blend' | 'catmull-clark';
+    /** The object's parameter, or the middle of a surface, if they are left out. */
+    t?: number;
+    u?: number;
+    v?: number;
+    knot?: number;
+    /** Every span is halved if they are left out. */
+    knots?: readonly number[];
+    /** The object's own if they are left out. */
+    levels?: number;
+    /** From 0; the last one beyond the end. */
+    frame?: number;
+}
 
 /** Pure functions of phase: at 0 and 1 everything stands where it began, exactly. */
 export type Effect = {
@@ -929,16 +950,26 @@ export type Command = { gesture?: string } & (
     | { insertKnot: { object: string; at: number } }
 );
 
+export type Pane = 'curve' | 'basis' | 'knots' | 'bFunction' | 'hodograph';
+
 export interface Shape {
     /** The id of the object it belongs to. */
     object: string;
     role: string;
     kind: 'polyline' | 'points' | 'triangles' | 'label';
-    pane: 'curve' | 'basis' | 'knots' | 'bFunction';
+    /** Positions in `hodograph` are first derivatives; in the panes of plots x is the parameter. */
+    pane: Pane;
     /** Which basis function, local curve or order of derivative. */
     index: number;
     /** x, y, z triples. */
     positions: Float64Array;
+    /** Of triangles: unit vectors, one a position, on the side from which they go counter-clockwise. */
+    normals?: Float64Array;
+    /**
+     * Of triangles: three positions each. A polyline runs from position to position where it has
+     * none; otherwise it consists of separate segments, two positions each.
+     */
+    indices?: Uint32Array;
     /** `#rrggbb` */
     colour: string;
     opacity: number;
@@ -950,6 +981,8 @@ export interface Shape {
     path: string;
     /** Of a label. */
     text: string;
+    /** Of a label: from its position to the middle of its text in CSS pixels, right and down. */
+    offset?: [number, number];
 }
 
 export interface Drawing {
@@ -1021,7 +1054,11 @@ export interface FieldDescription {
 export interface Scene extends Disposable {
     /** The canonical document: defaults filled in, keys in a fixed order. */
     readonly document: SceneDocument;
-    drawing(options?: MomentOptions & { tolerance?: number }): Drawing;
+    /**
+     * The scene with all effects at a phase in [0, 1] (default 0), or each where it is at a time;
+     * to a tolerance in world units (default 1e-3), and all panes where they are not named.
+     */
+    drawing(options?: MomentOptions & { tolerance?: number; panes?: Pane[] }): Drawing;
     /**
      * The picture as SVG: curves as cubic Bézier curves (exact up to degree 3), grouped and named by
      * object and role, without scripts, style sheets or anything to be fetched.

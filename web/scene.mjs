@@ -18,16 +18,15 @@ export class Scene extends Held {
         return core.json('sceneSchema', handle);
     }
 
-    /** @param {{ phase?: number, time?: number, tolerance?: number }} [given] */
+    /** @param {{ phase?: number, time?: number, tolerance?: number, panes?: string[] }} [given] */
     drawing(given) {
         const { core, handle } = Held.of(this);
-        const fields = options(given, ['phase', 'time', 'tolerance']);
+        const fields = options(given, ['phase', 'time', 'tolerance', 'panes']);
         const { phase, time } = moment(fields);
         const { tolerance } = fields;
         const distance = tolerance === undefined ? NaN : finite(tolerance, 'tolerance');
-        const { bounds, shapes } = core.json('sceneDrawing', handle, phase, time, distance);
-        for (const shape of shapes) takePositions(core, shape);
-        core.call('dropDrawing');
+        const { bounds, shapes } = core.json('sceneDrawing', handle, phase, time, distance, paneBits(fields.panes));
+        for (const shape of shapes) takeNumbers(core, shape);
         return { bounds, shapes };
     }
 
@@ -92,11 +91,32 @@ function moment({ phase, time }) {
     throw new KnotworkError('OUT_OF_RANGE', 'phase', `phase is ${turn}; it must lie in [0, 1].`);
 }
 
+/** In the order of their bits. */
+const paneNames = ['curve', 'basis', 'knots', 'bFunction', 'hodograph'];
+
+/** Which panes are drawn, all where nothing is said. @param {unknown} panes */
+function paneBits(panes) {
+    if (panes === undefined) return (1 << paneNames.length) - 1;
+    if (!Array.isArray(panes)) {
+        throw new KnotworkError('WRONG_TYPE', 'panes', `panes is a list of names of panes: ${paneNames.join(', ')}.`);
+    }
+    return panes.reduce((bits, name, i) => bits | 1 << paneNumber(name, i), 0);
+}
+
+/** @param {unknown} name @param {number} i */
+function paneNumber(name, i) {
+    const number = paneNames.indexOf(/** @type {string} */ (name));
+    if (number >= 0) return number;
+    throw new KnotworkError('UNKNOWN_NAME', `panes[${i}]`, `Choose one of the panes ${paneNames.join(', ')}.`);
+}
+
 /** @param {import('./core.mjs').Core} core @param {any} shape */
-function takePositions(core, shape) {
-    shape.positions = core.copy(shape.at, shape.count);
-    delete shape.at;
-    delete shape.count;
+function takeNumbers(core, shape) {
+    const { at, count, normalsAt, indicesAt, indexCount } = shape;
+    shape.positions = core.copy(at, count);
+    if (normalsAt !== undefined) shape.normals = core.copy(normalsAt, count);
+    if (indicesAt !== undefined) shape.indices = core.indices(indicesAt, indexCount).slice();
+    for (const key of ['at', 'count', 'normalsAt', 'indicesAt', 'indexCount']) delete shape[key];
 }
 
 /** @param {import('./core.mjs').Core} core @param {unknown} document */

@@ -104,7 +104,10 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
         if (shape.kind != Kind::label) {
             pane.shapes.push_back(painted(shape, request.emphasis));
         } else if (!shape.positions.empty()) {
-            pane.plot.labels.push_back({shape.text, pane.plot.map.toPixels(positionOf(shape, 0)),
+            const Pixel at = pane.plot.map.toPixels(positionOf(shape, 0));
+            pane.plot.labels.push_back({shape.text,
+                                        {at.x + static_cast<double>(shape.offset[0]),
+                                         at.y + static_cast<double>(shape.offset[1])},
                                         ui::Align::centre, ui::Baseline::middle, 13, false,
                                         shape.colour});
         }
@@ -181,6 +184,11 @@ const PaneFigure* Figure::find(Pane pane) const noexcept {
         if (one.plot.pane == pane) return &one;
     }
     return nullptr;
+}
+
+drawing::Panes panesAsked(const scene::State& state) noexcept {
+    const auto asked = [&](Pane pane) { return asksFor(state, drawing::paneName(pane)); };
+    return {true, asked(Pane::basis), asked(Pane::knots), asked(Pane::bFunction), false};
 }
 
 ui::FigureLayout layoutOf(const FigureRequest& request) {

@@ -79,6 +79,9 @@ struct FigureRequest {
     std::optional<Interval> frozenRange;
 };
 
+/// The panes that the document asks for, and the one of the curve, which stands where there is no
+/// other.
+[[nodiscard]] drawing::Panes panesAsked(const scene::State& state) noexcept;
 /// Where the panes lie that the document asks for and some object has.
 [[nodiscard]] ui::FigureLayout layoutOf(const FigureRequest& request);
 [[nodiscard]] Figure composeFigure(const FigureRequest& request, const ui::FigureLayout& layout,

@@ -156,9 +156,13 @@ scene::Moment View::moment() const noexcept {
 }
 
 const drawing::Drawing& View::drawing() {
+    const double tolerance = toleranceAt(camera_.aim().scale * pixelRatio_);
     const Picture::Key key{scene()->revision(),
                            scene()->state().effects.empty() ? 0 : clock_.phase(),
-                           toleranceAt(camera_.aim().scale * pixelRatio_), dark_};
+                           tolerance,
+                           dark_,
+                           panesAsked(scene()->state()),
+                           pixelAt(tolerance) * pixelRatio_};
     return picture_.get(scene()->state(), key, moment());
 }
 

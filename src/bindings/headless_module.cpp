@@ -107,7 +107,6 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("sceneCanRedo", &Session::sceneCanRedo)
         .function("sceneRevision", &Session::sceneRevision)
         .function("sceneDrawing", &Session::sceneDrawing)
-        .function("dropDrawing", &Session::dropDrawing)
         .function("sceneExport", &Session::sceneExport)
         .function("dropExport", &Session::dropExport)
         .function("scenes", &Session::scenes)

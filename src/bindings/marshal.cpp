@@ -35,8 +35,18 @@ Json shapeJson(const drawing::Shape& shape, const scene::State& state) {
               {"square", shape.square},
               {"path", shape.path},
               {"text", shape.text}};
+    if (shape.kind == drawing::Kind::label) {
+        json["offset"] = Json::array({shape.offset[0], shape.offset[1]});
+    }
     json["at"] = reinterpret_cast<std::uintptr_t>(shape.positions.data());
     json["count"] = shape.positions.size();
+    if (!shape.normals.empty()) {
+        json["normalsAt"] = reinterpret_cast<std::uintptr_t>(shape.normals.data());
+    }
+    if (!shape.indices.empty()) {
+        json["indicesAt"] = reinterpret_cast<std::uintptr_t>(shape.indices.data());
+        json["indexCount"] = shape.indices.size();
+    }
     return json;
 }
 

@@ -96,6 +96,7 @@ const Session::Slot* Session::slot(int handle) const {
 void Session::release(int handle) {
     if (!slot(handle)) return;
     const unsigned index = static_cast<unsigned>(handle) & indexMask;
+    if (handle == drawn_) drawings_.forget();
     Slot& released = slots_[index];
     released.value = std::monostate{};
     released.generation = released.generation % lastGeneration + 1;

@@ -11,7 +11,7 @@
 
 #include "bindings/marshal_lists.hpp"
 #include "bindings/queries.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/drawing_cache.hpp"
 #include "geometry/arc_length.hpp"
 #include "geometry/b_function.hpp"
 #include "geometry/curve.hpp"
@@ -231,8 +231,8 @@ public:
     [[nodiscard]] double sceneRevision(int handle);
     /// { bounds, shapes: [{ …, at, count }] }, each shape's `count` numbers at the address `at`
     /// until the next drawing. NaN stands for a phase, time or tolerance that is not given.
-    [[nodiscard]] std::string sceneDrawing(int handle, double phase, double time, double tolerance);
-    void dropDrawing();
+    [[nodiscard]] std::string sceneDrawing(int handle, double phase, double time, double tolerance,
+                                           unsigned panes);
     /// Writes the scene in the format with this place in drawing::ExportFormat; the input is its
     /// options. block: address and number of the bytes, which last until dropExport().
     [[nodiscard]] bool sceneExport(int handle, int format, unsigned bytes);
@@ -311,7 +311,8 @@ private:
     std::string text_;
     MeshRoom meshRoom_;
     std::optional<FinalPolygon> subdivided_;
-    drawing::Drawing drawing_;
+    drawing::DrawingCache drawings_;
+    int drawn_ = 0;  ///< the scene that they are of
     std::vector<Slot> slots_;
     std::vector<unsigned> free_;
     int held_ = 0;

@@ -19,6 +19,13 @@ bool tooLarge(const scene::Json& document, unsigned bytes) {
            scene::dumpJson(document).size() > scene::maximumDocumentBytes;
 }
 
+/// A bit a pane, in the order of the enumeration.
+drawing::Panes panesOf(unsigned bits) {
+    const auto has = [&](drawing::Pane pane) { return (bits >> static_cast<unsigned>(pane) & 1U) != 0; };
+    return {has(drawing::Pane::curve), has(drawing::Pane::basis), has(drawing::Pane::knots),
+            has(drawing::Pane::bFunction), has(drawing::Pane::hodograph)};
+}
+
 }  // namespace
 
 int Session::openScene(unsigned bytes) {
@@ -83,10 +90,12 @@ double Session::sceneRevision(int handle) {
     return held ? static_cast<double>(held->revision()) : -1;
 }
 
-std::string Session::sceneDrawing(int handle, double phase, double time, double tolerance) {
+std::string Session::sceneDrawing(int handle, double phase, double time, double tolerance,
+                                  unsigned panes) {
     const Scene* held = find<Scene>(handle);
     if (!held) return {};
     drawing::Options options;
+    options.panes = panesOf(panes);
     if (!std::isnan(phase)) options.moment.phase = phase;
     if (!std::isnan(time)) options.moment.time = time;
     if (!std::isnan(tolerance)) {
@@ -96,11 +105,10 @@ std::string Session::sceneDrawing(int handle, double phase, double time, double 
         }
         options.tolerance = tolerance;
     }
-    drawing_ = drawing::draw(held->state(), options);
-    return drawingJson(drawing_, held->state());
+    if (handle != drawn_) drawings_.forget();
+    drawn_ = handle;
+    return drawingJson(drawings_.draw(held->state(), options), held->state());
 }
-
-void Session::dropDrawing() { drawing_ = {}; }
 
 std::string Session::scenes() const { return scene::dumpJson(scene::describeScenes()); }
 

@@ -1,8 +1,8 @@
 #include "drawing/drawing.hpp"
 
-#include "drawing/palette.hpp"
+#include "drawing/annotations.hpp"
 #include "drawing/plots.hpp"
-#include "geometry/tessellation.hpp"
+#include "drawing/sketch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -23,152 +23,35 @@ constexpr std::array roleNames{
     std::string_view("label")};
 static_assert(roleNames.size() == static_cast<std::size_t>(Role::label) + 1);
 
-void append(Shape& shape, const Vec3& p) {
-    shape.positions.insert(shape.positions.end(), {p.x, p.y, p.z});
+/// The functions in the panes of plots, and the B-functions of both directions of a surface.
+void drawBFunctions(Sketch& sketch, const BlendingSurface& blend) {
+    const bool dark = sketch.options().dark;
+    const BFunction& along = blend.alongU().blend;
+    sketch.take(bFunctionPlot(along, sketch.number(), dark));
+    if (blend.alongV().blend == along) return;
+    sketch.take(bFunctionPlot(blend.alongV().blend, sketch.number(), dark));
 }
 
-/// Draws one object of a scene as it stands at a moment.
-class ObjectPainter {
-public:
-    ObjectPainter(const scene::Placed& placed, int object, const Options& options, Drawing& into)
-        : placed_(placed), object_(object), options_(options), drawing_(into) {}
-
-    void paint() {
-        if (placed_.body.curve() != nullptr) paintCurve(*placed_.body.curve());
+void drawFunctions(Sketch& sketch, const Curve& curve, bool editable) {
+    const auto* spline = curve.as<BsplineCurve>();
+    const auto* blend = curve.as<BlendingCurve>();
+    if (spline == nullptr && blend == nullptr) return;
+    const Panes& panes = sketch.options().panes;
+    const scene::Show& show = sketch.show();
+    const bool dark = sketch.options().dark;
+    if (show.basis && panes.basis) sketch.take(basisPlot(curve, sketch.number(), dark));
+    const std::span<const double> knots =
+        spline != nullptr ? spline->knotVector().knots() : std::span<const double>(blend->knots());
+    if ((show.knots || show.basis) && panes.knots) {
+        std::vector<Shape> line;
+        line.push_back(knotLine(knots, sketch.number(),
+                                editable ? sketch.path("knots") : std::string(), dark));
+        sketch.take(std::move(line));
     }
-
-private:
-    void paintCurve(const Curve& itself) {
-        const scene::Show& show = placed_.object->show;
-        const auto* spline = placed_.body.as<BsplineCurve>();
-        const auto* blend = placed_.body.as<BlendingCurve>();
-        if (blend != nullptr && show.locals) locals(*blend);
-        const ControlPolygon control = controlPolygon(itself);
-        if (!control.points.empty() && show.polygon) polygon(control);
-        if (show.curve) curve();
-        if (show.knots && spline != nullptr) knotsOnCurve(spline->knotVector().knots());
-        if (show.knots && blend != nullptr) knotsOnCurve(blend->knots());
-        if (!control.points.empty() && show.points) controlPoints(control);
-        if (blend != nullptr && show.handles) handles(*blend);
-        plots(spline, blend);
+    if (blend != nullptr && show.bFunction && panes.bFunction) {
+        sketch.take(bFunctionPlot(blend->blend(), sketch.number(), dark));
     }
-
-    Shape& add(Role role, Kind kind) {
-        Shape shape;
-        shape.object = object_;
-        shape.role = role;
-        shape.kind = kind;
-        shape.colour = roleColour(role, options_.dark);
-        drawing_.shapes.push_back(std::move(shape));
-        return drawing_.shapes.back();
-    }
-
-    void place(Shape& shape, const Vec3& p) {
-        const Vec3 placed = placed_.placement.point(p);
-        append(shape, placed);
-        drawing_.bounds.add(placed);
-    }
-
-    /// A part of a curve that is first placed on its own.
-    void placeCurve(Shape& shape, const Curve& curve, const Interval& part, const Affine& first) {
-        const std::vector<double> xyz = polyline(curve, part, options_.tolerance).xyz;
-        shape.positions.reserve(xyz.size());
-        for (std::size_t i = 0; i < xyz.size(); i += 3) {
-            place(shape, first.point({xyz[i], xyz[i + 1], xyz[i + 2]}));
-        }
-        shape.source = std::make_shared<const CurvePart>(
-            CurvePart{curve, part, compose(placed_.placement, first)});
-    }
-
-    void curve() {
-        Shape& shape = add(Role::curve, Kind::polyline);
-        shape.colour = onBackground(placed_.colour, options_.dark);
-        shape.width = static_cast<float>(placed_.object->style.width);
-        placeCurve(shape, *placed_.body.curve(), domain(*placed_.body.curve()), {});
-    }
-
-    void polygon(const ControlPolygon& control) {
-        Shape& shape = add(Role::polygon, Kind::polyline);
-        shape.width = 1.5F;
-        for (const Vec3& p : control.points) place(shape, p);
-        if (control.closed) place(shape, control.points.front());
-    }
-
-    void controlPoints(const ControlPolygon& control) {
-        Shape& shape = add(Role::points, Kind::points);
-        shape.width = 11;
-        shape.path = indexed("objects", static_cast<std::size_t>(object_)) + ".points";
-        for (const Vec3& p : control.points) place(shape, p);
-    }
-
-    /// Every knot of the domain once, where the curve passes it.
-    void knotsOnCurve(std::span<const double> knots) {
-        Shape& shape = add(Role::knots, Kind::points);
-        shape.width = 6;
-        const Interval whole = domain(*placed_.body.curve());
-        for (std::size_t i = 0; i < knots.size(); ++i) {
-            const bool repeated = i > 0 && knots[i] == knots[i - 1];
-            if (repeated || !whole.contains(knots[i])) continue;
-            place(shape, pointAt(*placed_.body.curve(), knots[i]));
-        }
-    }
-
-    void handles(const BlendingCurve& blend) {
-        Shape& shape = add(Role::handle, Kind::points);
-        shape.width = 10;
-        shape.square = true;
-        shape.path = indexed("objects", static_cast<std::size_t>(object_)) + ".poses";
-        for (const LocalCurve& local : blend.locals()) {
-            place(shape, local.placement().point(local.origin()));
-        }
-    }
-
-    /// A local curve over part of its support.
-    void localPart(const LocalCurve& local, std::size_t j, const Interval& part, bool dashed) {
-        if (!(part.length() > 0)) return;
-        Shape& shape = add(Role::local, Kind::polyline);
-        shape.width = 1.5F;
-        shape.dashed = dashed;
-        shape.index = static_cast<int>(j);
-        const Interval own{local.rate() * part.start + local.shift(),
-                           local.rate() * part.end + local.shift()};
-        placeCurve(shape, local.source(), own, local.placement());
-    }
-
-    /// Solid where the local curve has the greater weight, dashed where its neighbour has it.
-    void locals(const BlendingCurve& blend) {
-        for (std::size_t j = 0; j < blend.locals().size(); ++j) {
-            const Interval support = blend.support(j);
-            const double centre = blend.knots()[j];
-            const Interval strong{(support.start + centre) / 2, (centre + support.end) / 2};
-            const LocalCurve& local = blend.locals()[j];
-            localPart(local, j, {support.start, strong.start}, true);
-            localPart(local, j, strong, false);
-            localPart(local, j, {strong.end, support.end}, true);
-        }
-    }
-
-    void plots(const BsplineCurve* spline, const BlendingCurve* blend) {
-        if (spline == nullptr && blend == nullptr) return;
-        const bool dark = options_.dark;
-        const scene::Show& show = placed_.object->show;
-        if (show.basis) take(basisPlot(*placed_.body.curve(), object_, dark));
-        const std::string path = indexed("objects", static_cast<std::size_t>(object_)) + ".knots";
-        const std::span<const double> knots =
-            spline != nullptr ? spline->knotVector().knots() : std::span<const double>(blend->knots());
-        if (show.knots || show.basis) drawing_.shapes.push_back(knotLine(knots, object_, path, dark));
-        if (blend != nullptr && show.bFunction) take(bFunctionPlot(blend->blend(), object_, dark));
-    }
-
-    void take(std::vector<Shape> shapes) {
-        std::move(shapes.begin(), shapes.end(), std::back_inserter(drawing_.shapes));
-    }
-
-    const scene::Placed& placed_;
-    int object_;
-    const Options& options_;
-    Drawing& drawing_;
-};
+}
 
 }  // namespace
 
@@ -182,7 +65,8 @@ std::string_view kindName(Kind kind) noexcept {
 
 std::string_view paneName(Pane pane) noexcept {
     constexpr std::array names{std::string_view("curve"), std::string_view("basis"),
-                               std::string_view("knots"), std::string_view("bFunction")};
+                               std::string_view("knots"), std::string_view("bFunction"),
+                               std::string_view("hodograph")};
     return names[static_cast<std::size_t>(pane)];
 }
 
@@ -192,19 +76,63 @@ void Bounds::add(const Vec3& p) noexcept {
     empty = false;
 }
 
-ControlPolygon controlPolygon(const Curve& curve) noexcept {
-    if (const auto* spline = curve.as<BsplineCurve>()) return {spline->points(), spline->closed()};
-    if (const auto* subdivision = curve.as<SubdivisionCurve>()) {
-        return {subdivision->subdivision().points, subdivision->closed()};
+void Bounds::add(const Bounds& other) noexcept {
+    if (other.empty) return;
+    add(other.min);
+    add(other.max);
+}
+
+void Bounds::add(const Shape& shape) noexcept {
+    if (shape.pane != Pane::curve) return;
+    for (std::size_t i = 0; i < shape.positions.size() / 3; ++i) add(positionAt(shape, i));
+}
+
+std::vector<Shape> sketchFigure(const scene::Object& object, const scene::Body& body, int number,
+                                const Options& options) {
+    if (!options.panes.curve && !options.panes.hodograph) return {};
+    Sketch sketch(object, body, number, options);
+    if (const Curve* curve = body.curve()) drawCurveFigure(sketch, *curve);
+    if (const Surface* surface = body.surface()) drawSurfaceFigure(sketch, *surface);
+    if (const auto* mesh = body.subdivision()) drawMeshFigure(sketch, *mesh);
+    if (const auto* cloud = body.cloud()) drawCloudFigure(sketch, *cloud);
+    if (const auto* graph = body.graph()) drawGraphFigure(sketch, *graph);
+    drawTrace(sketch);
+    drawLabels(sketch);
+    std::vector<Shape> shapes = std::move(sketch).finish();
+    if (!options.panes.curve) {
+        std::erase_if(shapes, [](const Shape& shape) { return shape.pane == Pane::curve; });
     }
-    return {};
+    return shapes;
+}
+
+std::vector<Shape> sketchPlots(const scene::Object& object, const scene::Body& body, int number,
+                               const Options& options) {
+    Sketch sketch(object, body, number, options);
+    if (const Curve* curve = body.curve()) drawFunctions(sketch, *curve, true);
+    if (const auto* cloud = body.cloud(); cloud != nullptr && cloud->fit) {
+        drawFunctions(sketch, Curve(cloud->fit->curve), false);
+    }
+    const auto* blend = body.as<BlendingSurface>();
+    if (blend != nullptr && object.show.bFunction && options.panes.bFunction) {
+        drawBFunctions(sketch, *blend);
+    }
+    return std::move(sketch).finish();
 }
 
 Drawing draw(const scene::State& state, const Options& options) {
     Drawing drawing;
     const std::vector<scene::Placed> placed = scene::place(state, options.moment);
     for (std::size_t i = 0; i < placed.size(); ++i) {
-        ObjectPainter(placed[i], static_cast<int>(i), options, drawing).paint();
+        const auto& [object, body, placement, colour] = placed[i];
+        const int number = static_cast<int>(i);
+        Options own = options;
+        own.tolerance = ownTolerance(options.tolerance, placement);
+        std::vector<Shape> figure = sketchFigure(*object, body, number, own);
+        placeShapes(figure, placement, colour, options.dark);
+        for (const Shape& shape : figure) drawing.bounds.add(shape);
+        std::move(figure.begin(), figure.end(), std::back_inserter(drawing.shapes));
+        std::vector<Shape> plots = sketchPlots(*object, body, number, own);
+        std::move(plots.begin(), plots.end(), std::back_inserter(drawing.shapes));
     }
     return drawing;
 }

@@ -5,6 +5,8 @@
 #include "scene/colour.hpp"
 #include "scene/effects.hpp"
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,8 +25,8 @@ enum class Kind { polyline, points, triangles, label };
 
 /// Which of the linked views a shape belongs to. In `curve` positions are world coordinates; in
 /// `basis` and `bFunction` x is the parameter and y the value; in `knots` x is the knot and y the
-/// row in a pile of equal knots (0, 1, …).
-enum class Pane { curve, basis, knots, bFunction };
+/// row in a pile of equal knots (0, 1, …). In `hodograph` they are first derivatives.
+enum class Pane { curve, basis, knots, bFunction, hodograph };
 
 [[nodiscard]] std::string_view roleName(Role role) noexcept;
 [[nodiscard]] std::string_view kindName(Kind kind) noexcept;
@@ -43,6 +45,12 @@ struct Shape {
     Kind kind = Kind::polyline;
     Pane pane = Pane::curve;
     std::vector<double> positions;  ///< x,y,z triples
+    /// Of triangles: unit vectors, one a position, on the side from which they go counter-clockwise.
+    std::vector<double> normals;
+    /// Of triangles: three positions each. Of a polyline: none where it runs from position to
+    /// position; otherwise two for each of the segments that it consists of instead (the edges of a
+    /// mesh, the teeth of a comb).
+    std::vector<std::uint32_t> indices;
     /// What a polyline approximates, for whoever can draw it exactly; null: nothing but itself.
     std::shared_ptr<const CurvePart> source;
     Colour colour;
@@ -54,6 +62,8 @@ struct Shape {
     /// `objects[0].points`, `objects[0].knots` or `objects[0].poses`; empty: not to be dragged.
     std::string path;
     std::string text;     ///< of a label
+    /// Of a label: from its position to the middle of its text in CSS pixels, right and down.
+    std::array<float, 2> offset{};
 };
 
 struct Bounds {
@@ -61,6 +71,9 @@ struct Bounds {
     Vec3 max{0.0};
     bool empty = true;
     void add(const Vec3& p) noexcept;
+    /// All that is drawn in pane `curve`.
+    void add(const Shape& shape) noexcept;
+    void add(const Bounds& other) noexcept;
 };
 
 struct Drawing {
@@ -68,10 +81,29 @@ struct Drawing {
     std::vector<Shape> shapes;  ///< in painting order
 };
 
+/// Panes that are drawn.
+struct Panes {
+    bool curve = true;
+    bool basis = true;
+    bool knots = true;
+    bool bFunction = true;
+    bool hodograph = true;
+    friend bool operator==(const Panes&, const Panes&) = default;
+};
+
 struct Options {
-    scene::Moment moment;
-    double tolerance = 1e-3;  ///< greatest chord error of polylines, world units
-    bool dark = false;        ///< palette for a dark background
+    scene::Moment moment = {};
+    /// Greatest chord error of polylines and of triangles, world units. Triangles keep it as far as
+    /// mostSurfacePoints (surface_samples.hpp) allow.
+    double tolerance = 1e-3;
+    bool dark = false;  ///< palette for a dark background
+    Panes panes = {};
+    /// World units a CSS pixel, for the placement of labels; 0: as in a picture in which the object
+    /// is 640 pixels across.
+    double pixel = 0;
+    /// Of the curvature comb: world units a unit of curvature times the square of a world unit; 0:
+    /// so that most teeth stay below an eighth of the object's size.
+    double combScale = 0;
 };
 
 /// The polygon of the points that a curve is made from and is dragged by; none for other curves.
@@ -81,6 +113,7 @@ struct ControlPolygon {
 };
 [[nodiscard]] ControlPolygon controlPolygon(const Curve& curve) noexcept;
 
+/// Everything anew; whoever draws again and again has a DrawingCache (drawing_cache.hpp).
 [[nodiscard]] Drawing draw(const scene::State& state, const Options& options);
 
 }  // namespace knotwork::drawing

@@ -29,6 +29,11 @@ Colour roleColour(Role role, bool dark) noexcept {
         case Role::knots: return dark ? rgb(0xff7b7b) : rgb(0xc02f3a);
         case Role::local: return dark ? rgb(0x4cc29a) : rgb(0x2a8f6a);
         case Role::handle: return dark ? rgb(0x58d0a7) : rgb(0x1f7a59);
+        case Role::comb: return dark ? rgb(0xb09cff) : rgb(0x6d4fc2);
+        case Role::hull: return dark ? rgb(0x8b95a7) : rgb(0x9aa5b5);
+        case Role::sphere: return dark ? rgb(0x8ecdf5) : rgb(0x2f86b8);
+        case Role::residual: return dark ? rgb(0xff7b7b) : rgb(0xc02f3a);
+        case Role::trace: return dark ? rgb(0xe6c229) : rgb(0xa87800);
         default: return dark ? rgb(0xc9d4e5) : rgb(0x33415c);
     }
 }
@@ -43,6 +48,13 @@ double luminance(const Colour& colour) noexcept {
     };
     return 0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) +
            0.0722 * linear(colour.blue);
+}
+
+std::optional<Colour> objectColour(Role role, const Colour& colour, bool dark) noexcept {
+    const Colour own = onBackground(colour, dark);
+    if (role == Role::curve || role == Role::surface) return own;
+    if (role != Role::isoline && role != Role::wireframe) return std::nullopt;
+    return scene::mixColours(own, dark ? Colour{1, 1, 1, 1} : Colour{0, 0, 0, 1}, 0.45);
 }
 
 Colour onBackground(const Colour& colour, bool dark) noexcept {

@@ -4,6 +4,8 @@
 
 #include "drawing/drawing.hpp"
 
+#include <optional>
+
 namespace knotwork::drawing {
 
 /// Polygons, points, knots, handles, local curves: the quiet colour of a role.
@@ -15,6 +17,11 @@ namespace knotwork::drawing {
 
 /// Relative luminance (WCAG 2.2): 0 of black, 1 of white.
 [[nodiscard]] double luminance(const Colour& colour) noexcept;
+
+/// What has the colour that the author gave the object (curves, surfaces), or one made of it (the
+/// lines on a surface); nothing for the other roles.
+[[nodiscard]] std::optional<Colour> objectColour(Role role, const Colour& colour,
+                                                 bool dark) noexcept;
 
 /// An author's colour, lifted on a dark background until it can be seen there.
 [[nodiscard]] Colour onBackground(const Colour& colour, bool dark) noexcept;

@@ -169,6 +169,11 @@ private:
             if (steps.size() <= mostExactSteps) return pathOf(steps);
         }
         PathData path(xml_.decimals());
+        for (std::size_t i = 0; i + 1 < shape.indices.size(); i += 2) {
+            path.move(at(shape, shape.indices[i]));
+            path.line(at(shape, shape.indices[i + 1]));
+        }
+        if (!shape.indices.empty()) return path.take();
         for (std::size_t i = 0; 3 * i < shape.positions.size(); ++i) {
             const Vec3 p = at(shape, i);
             if (i == 0) path.move(p);
@@ -225,7 +230,11 @@ private:
             const Shape& shape = drawing_.shapes[i];
             if (shape.positions.size() < 3) continue;
             const Vec3 p = at(shape, 0);
-            xml_.begin("text").number("x", p.x).number("y", p.y);
+            // The middle of the letters, not their baseline, is where the label is.
+            constexpr double baseline = 0.35 * fontSize;
+            xml_.begin("text").number("x", p.x + static_cast<double>(shape.offset[0]));
+            xml_.number("y", p.y + static_cast<double>(shape.offset[1]) +
+                                 (shape.offset[1] != 0 || shape.offset[0] != 0 ? baseline : 0));
             xml_.text(shape.text);
         }
     }

@@ -64,9 +64,17 @@ private:
         return picture_.screen.point({p[0], p[1], p[2]});
     }
 
+    /// The k-th of the corners of triangles, or of the ends of segments.
+    [[nodiscard]] static std::size_t cornerCount(const Shape& shape) noexcept {
+        return shape.indices.empty() ? shape.positions.size() / 3 : shape.indices.size();
+    }
+    [[nodiscard]] Vec3 corner(const Shape& shape, std::size_t k) const noexcept {
+        return at(shape, shape.indices.empty() ? k : shape.indices[k]);
+    }
+
     void triangles(const Shape& shape) {
-        for (std::size_t i = 0; 3 * i + 8 < shape.positions.size(); i += 3) {
-            const std::array corners{at(shape, i), at(shape, i + 1), at(shape, i + 2)};
+        for (std::size_t i = 0; i + 2 < cornerCount(shape); i += 3) {
+            const std::array corners{corner(shape, i), corner(shape, i + 1), corner(shape, i + 2)};
             if (!isFinite(corners[0] + corners[1] + corners[2])) continue;
             longest_ = std::max(longest_, longestSide(corners));
             thickest_ = std::max(thickest_, depthRange(corners));
@@ -88,9 +96,10 @@ private:
     void line(const Shape& shape) {
         const std::string paint = svgColour(shape.colour, picture_.theme);
         const double longest = std::max(longest_, 1.0);
-        for (std::size_t i = 1; 3 * i < shape.positions.size(); ++i) {
-            const Vec3 from = at(shape, i - 1);
-            const Vec3 to = at(shape, i);
+        const std::size_t step = shape.indices.empty() ? 1 : 2;
+        for (std::size_t i = 1; i < cornerCount(shape); i += step) {
+            const Vec3 from = corner(shape, i - 1);
+            const Vec3 to = corner(shape, i);
             if (!isFinite(from + to)) continue;
             const double length = std::hypot(to.x - from.x, to.y - from.y);
             const auto count = static_cast<std::size_t>(std::clamp(

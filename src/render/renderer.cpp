@@ -154,6 +154,15 @@ void Renderer::segments(std::span<const double> positions, const Stroke& stroke)
                             stroke.crisp});
 }
 
+void Renderer::edges(const drawing::Shape& shape, const Stroke& stroke) {
+    scratch_.clear();
+    for (const std::uint32_t end : shape.indices) {
+        const auto from = shape.positions.begin() + 3 * static_cast<std::ptrdiff_t>(end);
+        scratch_.insert(scratch_.end(), from, from + 3);
+    }
+    segments(scratch_, stroke);
+}
+
 void Renderer::points(std::span<const double> positions, const Dots& dots) {
     if (!projection_) return;
     switchTo(Batch::points);
@@ -190,8 +199,12 @@ void Renderer::paint(const drawing::Shape& shape, const PaintOptions& options) {
     const double size = static_cast<double>(shape.width) + options.extraWidth;
     switch (shape.kind) {
         case drawing::Kind::polyline:
-            polyline(shape.positions,
-                     {colour, size, shape.dashed, false, options.halo, halo});
+            if (shape.indices.empty()) {
+                polyline(shape.positions,
+                         {colour, size, shape.dashed, false, options.halo, halo});
+            } else {
+                edges(shape, {colour, size, shape.dashed, false, 0, halo});
+            }
             break;
         case drawing::Kind::points:
             points(shape.positions,
@@ -199,7 +212,10 @@ void Renderer::paint(const drawing::Shape& shape, const PaintOptions& options) {
                     faded(options.borderColour, options.opacity), Dots{}.halo, halo,
                     options.highlights});
             break;
-        case drawing::Kind::triangles: triangles(shape.positions, colour); break;
+        case drawing::Kind::triangles:
+            // Shaded surfaces need an eye in space; in a plane their lines stand for them.
+            if (shape.indices.empty()) triangles(shape.positions, colour);
+            break;
         case drawing::Kind::label: break;
     }
 }

@@ -115,6 +115,7 @@ public:
 private:
     enum class Batch { none, lines, points, triangles };
     void switchTo(Batch batch);
+    void edges(const drawing::Shape& shape, const Stroke& stroke);
     void flush();
 
     gl::Device device_;

@@ -57,7 +57,7 @@ const std::string square = R"({"knotwork": 1, "title": "A <corner>", "descriptio
     "view": {"camera": {"center": [1, 0.5], "height": 2}},
     "objects": [{"id": "c1", "type": "bspline-curve", "degree": 1, "points": [[0,0],[2,0],[2,1]],
         "style": {"colour": "#2f5fd0", "width": 3}, "show": {"knots": false, "basis": false}},
-      {"id": "c2", "type": "bezier-curve", "points": [[0,0],[1,1],[2,0]]}]})";
+      {"id": "c2", "type": "bezier-curve", "points": [[0,0],[1,1],[2,0]], "show": {"polygon": false, "points": false}}]})";
 
 TEST(Svg, IsGroupedAndNamedByObjectAndRole) {
     const std::string text = svg(opened(square).state(), {.width = 400, .height = 200});

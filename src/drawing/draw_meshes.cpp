@@ -1,0 +1,51 @@
+// What subdivision surfaces consist of: the refined mesh as triangles and as wires, and the control
+// mesh around it.
+#include "drawing/measures.hpp"
+#include "geometry/triangulation.hpp"
+#include "scene/json_values.hpp"
+
+namespace knotwork::drawing {
+
+namespace {
+
+void drawTriangles(Sketch& sketch, const Mesh& mesh) {
+    Shape& shape = sketch.add(Role::surface, Kind::triangles, 1);
+    append(shape, mesh.points());
+    shape.normals.resize(shape.positions.size());
+    vertexNormals(mesh, shape.normals);
+    for (std::size_t i = 0; i < shape.normals.size(); i += 3) {
+        // Vertices without faces, or with faces without area, have none: any is as good.
+        const auto* n = &shape.normals[i];
+        if (n[0] == 0 && n[1] == 0 && n[2] == 0) shape.normals[i + 2] = 1;
+    }
+    shape.indices = triangleIndices(mesh);
+}
+
+void drawEdges(Sketch& sketch, const Mesh& mesh, Role role, float width) {
+    Shape& shape = sketch.add(role, Kind::polyline, width);
+    append(shape, mesh.points());
+    shape.indices.reserve(2 * mesh.edges().size());
+    for (const MeshEdge& edge : mesh.edges()) {
+        shape.indices.insert(shape.indices.end(), {edge.v0, edge.v1});
+    }
+}
+
+}  // namespace
+
+void drawMeshFigure(Sketch& sketch, const scene::SubdivisionSurface& surface) {
+    const scene::Show& show = sketch.show();
+    if (show.sphere) drawSphere(sketch, surface.refined.points());
+    if (show.surface) drawTriangles(sketch, surface.refined);
+    if (show.wireframe) drawEdges(sketch, surface.refined, Role::wireframe, 0.75F);
+    if (show.polygon) drawEdges(sketch, surface.control, Role::polygon, 1.25F);
+    if (!show.points) return;
+    Shape& shape = sketch.add(Role::points, Kind::points, 9);
+    // A solid that stands in the document by its name has no list of vertices to take hold of.
+    const scene::Json* mesh = scene::member(sketch.object().spec, "mesh");
+    if (mesh != nullptr && scene::member(*mesh, "vertices") != nullptr) {
+        shape.path = sketch.path("mesh.vertices");
+    }
+    append(shape, surface.control.points());
+}
+
+}  // namespace knotwork::drawing
