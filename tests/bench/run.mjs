@@ -6,6 +6,7 @@ import process from 'node:process';
 import { blendingCases } from './cases/blending.mjs';
 import { blendingSurfaceCases } from './cases/blending-surfaces.mjs';
 import { curveCases } from './cases/curves.mjs';
+import { drawingCases } from './cases/drawings.mjs';
 import { fittingCases } from './cases/fitting.mjs';
 import { meshCases } from './cases/meshes.mjs';
 import { nativeCases } from './cases/native.mjs';
@@ -65,8 +66,9 @@ function verdict({ peer, ratio }) {
 /** @param {Row} row */
 function report(row) {
     const { peer, theirs, ours, ratio } = row;
+    const share = peer.name.startsWith('a frame') ? `   ${(100 / ratio).toFixed(1)} % of it` : '';
     const numbers = [theirs.toFixed(1).padStart(9), ours.toFixed(2).padStart(9), ratio.toFixed(1).padStart(9)];
-    console.log(`  ${peer.name.padEnd(28)} ${numbers.join(' ')}   ${verdict(row)}`);
+    console.log(`  ${peer.name.padEnd(28)} ${numbers.join(' ')}   ${verdict(row)}${share}`);
     return !verdict(row).endsWith('MISSED');
 }
 
@@ -94,7 +96,7 @@ const { load } = await import(new URL('knotwork.mjs', distribution).href);
 const wanted = process.argv[2] ?? '';
 const kw = await load();
 let allKept = true;
-for (const given of cases.filter(({ name }) => name.includes(wanted))) {
+for (const given of [...cases, ...drawingCases(kw)].filter(({ name }) => name.includes(wanted))) {
     try {
         allKept = await run(given) && allKept;
     } catch (problem) {
