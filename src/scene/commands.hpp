@@ -11,14 +11,31 @@ struct Executed {
     Change change;
 };
 
-/// { set: path, value } replaces a field, { move: path, to | by } a point or a knot (or a number),
-/// { insert: path, value } puts an element before the one at the path (or after the last),
-/// { remove: path } takes one out, { add: object } appends an object, { pose: { object, local,
-/// translate?, rotate?, scale? } } places a local curve (what is left out keeps its value), and
-/// { insertKnot: { object, at } } refines a B-spline curve without moving it, or cuts one more
-/// local curve from the model of a blending curve.
+constexpr std::size_t maximumCommands = 1000;
+
+/// One of these, with `gesture` and `selection` for the scene:
 ///
-/// The error's path is that of the place in the document or of the command's own field.
+/// { set: path, value }        replaces a field; what depends on it follows (adaptation.hpp). The
+///                             whole of an object keeps the id, style and show that are not given.
+/// { move: path, to | by }     a point, a knot or a number. A knot goes onto another one within
+///                             `snap`; of a blending curve it leaves its local curves where they are
+///                             with `recut: false`. An object or effect goes `to` a place in its list.
+/// { move: [paths], by }       several places of objects by the same amount.
+/// { insert: path, value }     an element before the one at the path, or after the last.
+/// { remove: path }            takes one out; an object takes its effects with it.
+/// { add: object }             appends an object.
+/// { pose: { object, local | locals, translate?, rotate?, scale? } }
+///                             places local curves, or patches [i, j]; what is left out keeps its
+///                             value. { …, by: { translate?, rotate?, scale?, about? } } instead
+///                             moves, turns and scales them farther, each about its own pivot or all
+///                             about one point.
+/// { insertKnot: { object, at } }
+///                             refines a B-spline curve without moving it, or cuts one more local
+///                             curve from the model of a blending curve.
+/// { all: [commands] }         one after the other, as one step: all of them or none.
+///
+/// The error's path is that of the place in the document or of the command's own field; within a
+/// list after `all[i]`.
 [[nodiscard]] Result<Executed> executeCommand(const State& state, const Json& command);
 
 }  // namespace knotwork::scene

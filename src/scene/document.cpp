@@ -1,5 +1,6 @@
 #include "scene/document.hpp"
 
+#include "scene/memory.hpp"
 #include "scene/object_builders.hpp"
 #include "scene/object_trace.hpp"
 #include "scene/validation.hpp"
@@ -94,6 +95,20 @@ Result<Done> checkVersion(const Json& document) {
     return Done{};
 }
 
+/// What has been made, with where it is measured and the trace that it shows.
+Result<std::shared_ptr<const Object>> objectOf(Made<Body> made, std::string id,
+                                               std::size_t bytes) {
+    const auto parameter = parameterOf(made.spec, made.value);
+    if (!parameter) return parameter.error();
+    auto trace = traceOf(made.spec, made.value, *parameter);
+    if (!trace) return trace.error();
+    const Style style = styleOf(made.spec);
+    const Show show = showOf(made.spec);
+    return std::make_shared<const Object>(Object{std::move(made.spec), std::move(id), style, show,
+                                                 std::move(made.value), *parameter,
+                                                 std::move(trace->trace), trace->frame, bytes});
+}
+
 }  // namespace
 
 std::string freshId(std::span<const std::shared_ptr<const Object>> objects) {
@@ -117,15 +132,14 @@ Result<std::shared_ptr<const Object>> readObject(const Json& spec) {
     if (id.empty()) {
         return refuse(Code::outOfRange, "id", "An id is a text of at least one character.");
     }
-    const auto parameter = parameterOf(made->spec, made->value);
-    if (!parameter) return parameter.error();
-    auto trace = traceOf(made->spec, made->value, *parameter);
-    if (!trace) return trace.error();
-    const Style style = styleOf(made->spec);
-    const Show show = showOf(made->spec);
-    return std::make_shared<const Object>(Object{std::move(made->spec), std::move(id), style, show,
-                                                 std::move(made->value), *parameter,
-                                                 std::move(trace->trace), trace->frame});
+    const std::size_t bytes = bytesOf(made->spec) + bytesOf(made->value);
+    return objectOf(std::move(*made), std::move(id), bytes);
+}
+
+Result<std::shared_ptr<const Object>> remakeObject(const Object& object, Json spec) {
+    auto made = remakeObject(std::move(spec));
+    if (!made) return made.error();
+    return objectOf(std::move(*made), object.id, object.bytes);
 }
 
 Result<State> readDocument(const Json& document) {

@@ -19,6 +19,8 @@ constexpr std::size_t maximumEffects = 1000;
 [[nodiscard]] Result<std::shared_ptr<const Json>> readHeader(const Json& header);
 /// `spec` must have its id.
 [[nodiscard]] Result<std::shared_ptr<const Object>> readObject(const Json& spec);
+/// The object with another specification, canonical but for points that were checked.
+[[nodiscard]] Result<std::shared_ptr<const Object>> remakeObject(const Object& object, Json spec);
 /// Among these objects must be the effect's target.
 [[nodiscard]] Result<std::shared_ptr<const Effect>> readEffect(
     const Json& spec, std::span<const std::shared_ptr<const Object>> objects);

@@ -5,6 +5,7 @@
 #include "scene/validation.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace knotwork::scene {
 
@@ -15,25 +16,33 @@ Error missingIn(std::span<const PathStep> rest) {
     return refuse(Code::unknownField, path, "There is no " + path + " here.");
 }
 
-/// The knots with one moved; equal ones at a clamped end move as one.
-Json movedKnots(const Json& spec, const Json& before, std::size_t index, double to) {
-    Json knots = before;
-    const bool clamped = stringOr(spec, "type", "") == "bspline-curve" &&
-                         stringOr(spec, "form", "") == "clamped";
-    const auto degree = static_cast<std::size_t>(numberOr(spec, "degree", 0));
-    const std::size_t last = knots.size() - 1;
-    std::size_t first = index;
-    std::size_t end = index;
-    if (clamped && index <= degree) {
-        first = 0;
-        end = degree;
-    } else if (clamped && index + degree >= last) {
-        first = last - degree;
-        end = last;
-    }
-    for (std::size_t k = first; k <= end; ++k) knots[k] = to;
-    return knots;
+/// Whether `rest` names a point of a net, and with it its column.
+bool namesColumn(const Json& part, std::span<const PathStep> rest) {
+    return rest.size() == 3 && rest[0].key == "points" && rest[1].isIndex() && rest[2].isIndex() &&
+           stringOr(part, "type", "") == "bspline-surface";
 }
+
+Result<Json> insertColumn(Json part, std::span<const PathStep> rest, const Json& column) {
+    Json& rows = *find(part, rest.first(1));
+    const std::size_t at = rest[2].index;
+    if (rest[1].index >= rows.size() || at > rows[rest[1].index].size()) return missingIn(rest);
+    if (!column.is_array() || column.size() != rows.size()) {
+        return refuse(Code::wrongLength, "value",
+                      "A column of this net is a list of " + std::to_string(rows.size()) +
+                          " points, one for each row.");
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].insert(rows[i].begin() + static_cast<std::ptrdiff_t>(at), column[i]);
+    }
+    return part;
+}
+
+Json removeColumn(Json part, std::span<const PathStep> rest) {
+    for (Json& row : *find(part, rest.first(1))) row.erase(rest[2].index);
+    return part;
+}
+
+}  // namespace
 
 Result<Json> movedValue(const Json& value, const Json& command) {
     const Json* to = member(command, "to");
@@ -55,11 +64,8 @@ Result<Json> movedValue(const Json& value, const Json& command) {
     return pointJson(sum, sum.z == 0 && value.size() == 2 ? 2 : 3);
 }
 
-}  // namespace
-
-Result<Json> setIn(const Json& part, std::span<const PathStep> rest, const Json& value) {
-    Json changed = part;
-    Json* parent = find(changed, rest.first(rest.size() - 1));
+Result<Json> setIn(Json part, std::span<const PathStep> rest, const Json& value) {
+    Json* parent = find(part, rest.first(rest.size() - 1));
     const PathStep& last = rest.back();
     if (parent == nullptr) return missingIn(rest);
     if (last.isIndex()) {
@@ -73,44 +79,31 @@ Result<Json> setIn(const Json& part, std::span<const PathStep> rest, const Json&
             (*parent)[last.key] = value;  // a key that does not belong is validation's to refuse
         }
     }
-    return changed;
+    return part;
 }
 
-Result<Json> moveIn(const Json& part, std::span<const PathStep> rest, const Json& command) {
-    const Json* value = find(part, rest);
-    if (value == nullptr) return missingIn(rest);
-    const auto moved = movedValue(*value, command);
-    if (!moved) return moved.error();
-    const bool ownKnot = rest.size() == 2 && rest[0].key == "knots" && moved->is_number();
-    if (!ownKnot) return setIn(part, rest, *moved);
-    Json changed = part;
-    changed["knots"] =
-        movedKnots(part, *member(part, "knots"), rest[1].index, moved->get<double>());
-    return changed;
-}
-
-Result<Json> insertIn(const Json& part, std::span<const PathStep> rest, const Json& value) {
-    Json changed = part;
-    Json* list = find(changed, rest.first(rest.size() - 1));
+Result<Json> insertIn(Json part, std::span<const PathStep> rest, const Json& value) {
+    if (namesColumn(part, rest)) return insertColumn(std::move(part), rest, value);
+    Json* list = find(part, rest.first(rest.size() - 1));
     const PathStep& last = rest.back();
     if (list == nullptr || !list->is_array() || !last.isIndex() || last.index > list->size()) {
         return missingIn(rest);
     }
     list->insert(list->begin() + static_cast<std::ptrdiff_t>(last.index), value);
-    return changed;
+    return part;
 }
 
-Result<Json> removeIn(const Json& part, std::span<const PathStep> rest) {
-    Json changed = part;
-    Json* parent = find(changed, rest.first(rest.size() - 1));
+Result<Json> removeIn(Json part, std::span<const PathStep> rest) {
+    Json* parent = find(part, rest.first(rest.size() - 1));
     const PathStep& last = rest.back();
     if (parent == nullptr || find(part, rest) == nullptr) return missingIn(rest);
+    if (namesColumn(part, rest)) return removeColumn(std::move(part), rest);
     if (last.isIndex()) {
         parent->erase(last.index);
     } else {
         parent->erase(last.key);
     }
-    return changed;
+    return part;
 }
 
 }  // namespace knotwork::scene

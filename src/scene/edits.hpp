@@ -9,16 +9,15 @@ namespace knotwork::scene {
 
 // Each refuses a place that is not there (UNKNOWN_FIELD, the path inside the part).
 
-[[nodiscard]] Result<Json> setIn(const Json& part, std::span<const PathStep> rest,
-                                 const Json& value);
+[[nodiscard]] Result<Json> setIn(Json part, std::span<const PathStep> rest, const Json& value);
 
-/// `command` has `to` or `by`. Equal knots at the end of a clamped curve move as one.
-[[nodiscard]] Result<Json> moveIn(const Json& part, std::span<const PathStep> rest,
-                                  const Json& command);
+/// Where a move leads: `to`, or what stands there `by` an amount. WRONG_TYPE for neither or both, and
+/// for amounts that do not fit.
+[[nodiscard]] Result<Json> movedValue(const Json& value, const Json& command);
 
-[[nodiscard]] Result<Json> insertIn(const Json& part, std::span<const PathStep> rest,
-                                    const Json& value);
-
-[[nodiscard]] Result<Json> removeIn(const Json& part, std::span<const PathStep> rest);
+/// `insert` and `remove` of a net's points name rows by `points[i]` and columns by `points[0][j]`; a
+/// new column is a list of points, one for each row.
+[[nodiscard]] Result<Json> insertIn(Json part, std::span<const PathStep> rest, const Json& value);
+[[nodiscard]] Result<Json> removeIn(Json part, std::span<const PathStep> rest);
 
 }  // namespace knotwork::scene

@@ -1,6 +1,7 @@
 #include "scene/json.hpp"
 
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace knotwork::scene {
@@ -132,6 +133,10 @@ const Json* member(const Json& object, std::string_view key) noexcept {
         if (item.first == key) return &item.second;
     }
     return nullptr;
+}
+
+Json* member(Json& object, std::string_view key) noexcept {
+    return const_cast<Json*>(member(std::as_const(object), key));
 }
 
 double numberOr(const Json& object, std::string_view key, double otherwise) noexcept {

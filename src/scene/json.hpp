@@ -37,6 +37,7 @@ constexpr int maximumDepth = 32;
 // Careful access: without exceptions nlohmann's own throwing accessors abort.
 /// The member, or null where `object` is no object or has no such key.
 [[nodiscard]] const Json* member(const Json& object, std::string_view key) noexcept;
+[[nodiscard]] Json* member(Json& object, std::string_view key) noexcept;
 /// The member's number, or `otherwise`.
 [[nodiscard]] double numberOr(const Json& object, std::string_view key, double otherwise) noexcept;
 [[nodiscard]] std::string stringOr(const Json& object, std::string_view key,

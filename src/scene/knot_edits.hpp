@@ -10,6 +10,24 @@ namespace knotwork::scene {
 /// `model.knots[3]`.
 [[nodiscard]] bool leadsToKnots(const Json& part, std::span<const PathStep> rest);
 
+/// Whether `rest` leads from `part` to one knot of a curve or of one direction of a surface.
+[[nodiscard]] bool namesKnot(const Json& part, std::span<const PathStep> rest);
+
+struct MovedKnot {
+    Json part;
+    std::size_t index = 0;  ///< of the knot that moved
+};
+
+/// `part` with the knot at `rest` moved as `command` says: `to` or `by`, and onto the nearest other
+/// knot within `snap`, if that is given. Equal knots of a B-spline are alike: of those the last is
+/// pulled off to the right, the first to the left; at the end of a clamped one they move as one.
+/// Refusals are those of movedValue(), UNKNOWN_FIELD at the path, and what is wrong with `snap`.
+[[nodiscard]] Result<MovedKnot> moveKnotIn(const Json& part, std::span<const PathStep> rest,
+                                           const Json& command);
+
+/// `part` with the knot at `rest` set to a value, together with its equals at a clamped end.
+[[nodiscard]] Result<Json> withKnotAt(Json part, std::span<const PathStep> rest, const Json& value);
+
 /// The specification of a curve with the knot `at` in it. A B-spline curve does not move; a blending
 /// curve that is cut from a model gets a local curve there. Refusals at `t`, as those of
 /// knotwork::insertKnot(), and NOT_SUPPORTED for curves without a model or without knots.

@@ -94,7 +94,7 @@ Result<Body> buildBody(Json& spec) {
     auto body = type == "point-cloud"  ? buildPointCloud(spec)
                 : type == "b-function" ? buildGraph(spec)
                                        : buildSubdivisionSurface(spec);
-    if (body) spec = inOrder(spec, findObjectType(type)->fields);
+    if (body) spec = inOrder(std::move(spec), findObjectType(type)->fields);
     return body;
 }
 
@@ -109,6 +109,12 @@ Result<Made<Body>> makeObject(const Json& spec) {
     auto made = buildBody(*canonical);
     if (!made) return made.error();
     return Made<Body>{std::move(*canonical), std::move(*made)};
+}
+
+Result<Made<Body>> remakeObject(Json spec) {
+    auto made = buildBody(spec);
+    if (!made) return made.error();
+    return Made<Body>{std::move(spec), std::move(*made)};
 }
 
 std::string_view objectTypeLabel(const Json& spec) noexcept {

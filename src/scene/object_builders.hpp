@@ -14,6 +14,10 @@ namespace knotwork::scene {
 /// out.
 [[nodiscard]] Result<Made<Body>> makeObject(const Json& spec);
 
+/// The same of a specification that is canonical, but for points that were checked: it is not checked
+/// again, which is most of the time that a large object takes.
+[[nodiscard]] Result<Made<Body>> remakeObject(Json spec);
+
 [[nodiscard]] std::string_view objectTypeLabel(const Json& spec) noexcept;
 
 /// Of a checked name.

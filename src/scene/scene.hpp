@@ -58,6 +58,7 @@ struct Object {
     double parameter = 0;
     std::shared_ptr<const Trace> trace = {};  ///< null: none is shown
     std::size_t traceFrame = 0;               ///< which of its frames is
+    std::size_t bytes = 0;                    ///< about as much memory as it takes
 };
 
 enum class EffectKind { translate, rotate, scale, simulate, morph, colour };
@@ -90,9 +91,16 @@ struct State {
 
 /// What a command changed, for listeners.
 struct Change {
-    std::string command;  ///< `set`, `move`, `insert`, `remove`, `add`, `pose`
+    std::string command;  ///< `set`, `move`, `insert`, `remove`, `add`, `pose`, `insertKnot`, `all`
+    /// The place. Of a knot that was pulled off equal ones, the one that moved; of several places,
+    /// what their paths have in common.
     std::string path;
 };
+
+/// What is selected: paths into the document.
+using Selection = std::vector<std::string>;
+
+constexpr std::size_t maximumSelection = 10'000;
 
 class Scene {
 public:
@@ -104,9 +112,9 @@ public:
     [[nodiscard]] Json document() const;
     [[nodiscard]] const State& state() const noexcept { return history_[present_].state; }
 
-    /// { set, value } | { move, to | by } | { insert, value } | { remove } | { add } | { pose },
-    /// with an optional `gesture`: commands of one gesture become one step of history. A refused
-    /// command leaves everything as it was.
+    /// A command as executeCommand() (commands.hpp) knows it, with an optional `gesture`: commands of
+    /// one gesture become one step of history; and an optional `selection`: what is selected from
+    /// then on. A refused command leaves everything as it was.
     Result<Change> execute(const Json& command);
     /// Takes back all that the running gesture did, as Escape does during a drag.
     bool cancelGesture(std::string_view gesture);
@@ -114,6 +122,12 @@ public:
     bool redo();
     [[nodiscard]] bool canUndo() const noexcept { return present_ > 0; }
     [[nodiscard]] bool canRedo() const noexcept { return present_ + 1 < history_.size(); }
+
+    /// What is selected. Undo brings back what was selected before the step, redo what was selected
+    /// after it. Paths that lead nowhere any more are left out.
+    [[nodiscard]] Selection selection() const;
+    /// Selects without a step of history. WRONG_TYPE, TOO_LARGE or SYNTAX at `selection[i]`.
+    Result<Done> select(const Json& paths);
 
     /// Grows by one with every visible change, undo and redo included.
     [[nodiscard]] std::uint64_t revision() const noexcept { return revision_; }
@@ -125,12 +139,18 @@ private:
     struct Step {
         State state;
         std::string gesture;
+        Selection before{};  ///< what was selected when the step began
+        Selection after{};
     };
     explicit Scene(State first);
-    void commit(State next, std::string gesture);
+    void commit(Step next);
+    void forgetAfter(std::size_t last);
+    void keepWithinLimits();
 
     std::vector<Step> history_;
     std::size_t present_ = 0;
+    std::size_t bytes_ = 0;  ///< of all objects of the history, each counted once
+    Selection selection_;
     std::uint64_t revision_ = 0;
 };
 

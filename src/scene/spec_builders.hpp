@@ -13,7 +13,7 @@ namespace knotwork::scene {
 
 /// The keys in the order of the tables, `id` and `type` first, `style` and what else an object has
 /// last: what was computed stands at the end until then.
-[[nodiscard]] Json inOrder(const Json& spec, std::span<const Field> fields);
+[[nodiscard]] Json inOrder(Json spec, std::span<const Field> fields);
 
 [[nodiscard]] Result<BFunction> buildBFunction(const Json& spec);
 

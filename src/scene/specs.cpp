@@ -30,10 +30,10 @@ constexpr std::array builders{
 
 }  // namespace
 
-Json inOrder(const Json& spec, std::span<const Field> fields) {
+Json inOrder(Json spec, std::span<const Field> fields) {
     Json ordered = Json::object();
     const auto take = [&](std::string_view key) {
-        if (const Json* value = member(spec, key)) ordered[std::string(key)] = *value;
+        if (Json* value = member(spec, key)) ordered[std::string(key)] = std::move(*value);
     };
     take("id");
     take("type");
@@ -47,7 +47,7 @@ Result<Curve> buildCurve(Json& spec) {
     const auto builder = std::find_if(builders.begin(), builders.end(),
                                       [&](const Builder& b) { return b.type == type; });
     auto made = builder->build(spec);
-    if (made) spec = inOrder(spec, findCurveType(type)->fields);
+    if (made) spec = inOrder(std::move(spec), findCurveType(type)->fields);
     return made;
 }
 

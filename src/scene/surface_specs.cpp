@@ -34,7 +34,7 @@ Result<Surface> buildSurface(Json& spec) {
     const auto builder = std::find_if(builders.begin(), builders.end(),
                                       [&](const Builder& b) { return b.type == type; });
     auto made = builder->build(spec);
-    if (made) spec = inOrder(spec, findSurfaceType(type)->fields);
+    if (made) spec = inOrder(std::move(spec), findSurfaceType(type)->fields);
     return made;
 }
 

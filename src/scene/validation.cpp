@@ -87,7 +87,11 @@ Result<Json> readTuple(const Json& given, std::size_t least, std::size_t most,
     return readNumbers(given);
 }
 
+}  // namespace
+
 Result<Json> readPoint(const Json& given) { return readTuple(given, 2, 3, "[x, y] or [x, y, z]"); }
+
+namespace {
 
 /// Flat triples become a list of points; a list of points stays as it is.
 Result<Json> readPoints(const Json& given) {

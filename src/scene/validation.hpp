@@ -26,6 +26,9 @@ namespace knotwork::scene {
 /// An object of a scene of any type, with its `id`, `style` and `show` as far as they were given.
 [[nodiscard]] Result<Json> readObjectSpec(const Json& given);
 
+/// [x, y] or [x, y, z], finite numbers.
+[[nodiscard]] Result<Json> readPoint(const Json& given);
+
 /// What a person would call this value in a message: `the string "0.5"`, `null`, `a list`.
 [[nodiscard]] std::string describeValue(const Json& value);
 
