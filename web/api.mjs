@@ -7,7 +7,7 @@ import { enclosingSphere, fit, interpolate } from './fit.mjs';
 import { importDocument } from './imports.mjs';
 import { decodeLink, encodeLink } from './links.mjs';
 import { makeMesh } from './mesh.mjs';
-import { openScene } from './scene.mjs';
+import { openScene, validate } from './scene.mjs';
 import { subdivide } from './subdivide.mjs';
 import { makeSurface } from './surface.mjs';
 
@@ -51,6 +51,8 @@ export function makeApi(module) {
         trace: (given) => core.json('ask', 'trace', core.send(given)),
         /** @param {unknown} document */
         scene: (document) => openScene(core, document),
+        /** @param {unknown} document */
+        validate: (document) => validate(core, document),
         get scenes() {
             return core.json('scenes');
         },

@@ -77,6 +77,27 @@ export class Core {
     }
 
     /**
+     * The scene of the document that was sent; a refusal tells all that is wrong with it.
+     * @param {number} size
+     * @returns {number}
+     */
+    openScene(size) {
+        const handle = this.call('openScene', size);
+        if (handle) return handle;
+        const { code, path, message } = this.#refusal();
+        throw new KnotworkError(code, path, message, this.problems(size));
+    }
+
+    /**
+     * What is wrong with the document that was sent.
+     * @param {number} size
+     * @returns {import('./errors.mjs').Problem[]}
+     */
+    problems(size) {
+        return this.json('ask', 'validate', size).problems;
+    }
+
+    /**
      * Calls a function whose refusal is negative.
      * @param {string} name
      * @param {any[]} args

@@ -1,15 +1,19 @@
 // The one kind of error that leaves this package.
 
+/** @typedef {{ code: string, path: string, message: string }} Problem */
+
 export class KnotworkError extends Error {
     /**
      * @param {string} code one of the codes of the public interface
      * @param {string} path where in the input, such as `knots[3]`; empty for the whole of it
      * @param {string} message what was given, what is allowed, what to do
+     * @param {Problem[]} [problems] all that is wrong, this first, where more was found
      */
-    constructor(code, path, message) {
+    constructor(code, path, message, problems = []) {
         super(message);
         this.code = code;
         this.path = path;
+        this.problems = problems.length > 0 ? problems : [{ code, path, message }];
     }
 }
 Object.defineProperty(KnotworkError.prototype, 'name', {

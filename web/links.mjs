@@ -26,7 +26,7 @@ const codecs = /** @type {Record<string, (core: Core, payload: string) => unknow
  */
 export async function encodeLink(core, document) {
     const size = core.send(document);
-    const handle = core.ask('openScene', size);
+    const handle = core.openScene(size);
     const canonical = core.json('sceneDocument', handle);
     core.release(handle);
     const given = JSON.parse(core.ask('inputText', size));
@@ -50,7 +50,7 @@ export async function encodeLink(core, document) {
 export async function decodeLink(core, link) {
     const { codec, payload } = partsOf(text(link, ''));
     const document = await codecs[codec](core, payload);
-    core.release(core.ask('openScene', core.send(document)));
+    core.release(core.openScene(core.send(document)));
     return document;
 }
 
@@ -135,7 +135,7 @@ function openPreset(core, payload) {
 
 /** @param {Core} core @param {unknown} document */
 function canonicalOf(core, document) {
-    const handle = core.ask('openScene', core.send(document));
+    const handle = core.openScene(core.send(document));
     const canonical = core.json('sceneDocument', handle);
     core.release(handle);
     return canonical;

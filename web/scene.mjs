@@ -68,6 +68,18 @@ export class Scene extends Held {
         return core.call('sceneCanRedo', handle);
     }
 
+    /** What is selected: paths into the document, those left out that lead nowhere any more. */
+    get selection() {
+        const { core, handle } = Held.of(this);
+        return core.json('sceneSelection', handle);
+    }
+
+    /** Selects without a step of history. @param {string[]} paths */
+    select(paths) {
+        const { core, handle } = Held.of(this);
+        core.ask('sceneSelect', handle, core.send(paths));
+    }
+
     /** Grows by one with every change. */
     get revision() {
         const { core, handle } = Held.of(this);
@@ -121,5 +133,21 @@ function takeNumbers(core, shape) {
 
 /** @param {import('./core.mjs').Core} core @param {unknown} document */
 export function openScene(core, document) {
-    return new Scene(core, core.ask('openScene', core.send(document)));
+    return new Scene(core, core.openScene(core.send(document)));
+}
+
+/**
+ * All that is wrong with a document, in the order in which it is read; nothing where it opens.
+ * @param {import('./core.mjs').Core} core
+ * @param {unknown} document
+ * @returns {import('./errors.mjs').Problem[]}
+ */
+export function validate(core, document) {
+    try {
+        return core.problems(core.send(document));
+    } catch (problem) {
+        // What is no plain data, or too much of it, does not even get there.
+        if (problem instanceof KnotworkError && problem.code !== 'OUT_OF_MEMORY') return problem.problems;
+        throw problem;
+    }
 }

@@ -106,6 +106,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("sceneCanUndo", &Session::sceneCanUndo)
         .function("sceneCanRedo", &Session::sceneCanRedo)
         .function("sceneRevision", &Session::sceneRevision)
+        .function("sceneSelection", &Session::sceneSelection)
+        .function("sceneSelect", &Session::sceneSelect)
         .function("sceneDrawing", &Session::sceneDrawing)
         .function("sceneExport", &Session::sceneExport)
         .function("dropExport", &Session::dropExport)

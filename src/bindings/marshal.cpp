@@ -8,6 +8,12 @@ namespace knotwork::bindings {
 
 using scene::Json;
 
+Result<Done> checkSize(const Json& document, std::size_t bytes) {
+    if (bytes <= scene::maximumDocumentBytes / 3) return Done{};
+    if (scene::dumpJson(document).size() <= scene::maximumDocumentBytes) return Done{};
+    return refuse(Code::tooLarge, "", "A document has at most 1 MiB as text.");
+}
+
 std::string errorJson(const Error& error) {
     return scene::dumpJson(
         Json{{"code", codeName(error.code)}, {"path", error.path}, {"message", error.message}});

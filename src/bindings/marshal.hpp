@@ -42,6 +42,10 @@ struct CborItem;
 [[nodiscard]] std::optional<CurveSubdivision> readUsualSubdivision(
     std::span<const std::uint8_t> bytes);
 
+/// TOO_LARGE for a document whose text would have more than 1 MiB. Of what came in few bytes no
+/// text is made: a number takes nine of them on its way here and at most 25 as text.
+[[nodiscard]] Result<Done> checkSize(const scene::Json& document, std::size_t bytes);
+
 /// { code, path, message }.
 [[nodiscard]] std::string errorJson(const Error& error);
 

@@ -13,7 +13,9 @@ std::array<std::span<const CurveQuery>, 2> curveTopics() noexcept {
 std::array<std::span<const SurfaceQuery>, 3> surfaceTopics() noexcept {
     return {bsplineSurfaceQueries(), blendingSurfaceQueries(), blendingTriangleQueries()};
 }
-std::array<std::span<const FreeQuery>, 1> freeTopics() noexcept { return {traceQueries()}; }
+std::array<std::span<const FreeQuery>, 2> freeTopics() noexcept {
+    return {traceQueries(), sceneQueries()};
+}
 
 template <class Query, std::size_t N>
 const Query* findIn(const std::array<std::span<const Query>, N>& topics,

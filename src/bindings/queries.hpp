@@ -54,6 +54,7 @@ struct FreeQuery {
 [[nodiscard]] std::span<const SurfaceQuery> blendingSurfaceQueries() noexcept;
 [[nodiscard]] std::span<const SurfaceQuery> blendingTriangleQueries() noexcept;
 [[nodiscard]] std::span<const FreeQuery> traceQueries() noexcept;
+[[nodiscard]] std::span<const FreeQuery> sceneQueries() noexcept;
 
 /// All of them, for the session.
 [[nodiscard]] const CurveQuery* findCurveQuery(std::string_view name) noexcept;

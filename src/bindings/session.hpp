@@ -229,6 +229,10 @@ public:
     [[nodiscard]] bool sceneCanUndo(int handle);
     [[nodiscard]] bool sceneCanRedo(int handle);
     [[nodiscard]] double sceneRevision(int handle);
+    /// What is selected: a list of paths.
+    [[nodiscard]] std::string sceneSelection(int handle);
+    /// The input is such a list.
+    [[nodiscard]] bool sceneSelect(int handle, unsigned bytes);
     /// { bounds, shapes: [{ …, at, count }] }, each shape's `count` numbers at the address `at`
     /// until the next drawing. NaN stands for a phase, time or tolerance that is not given.
     [[nodiscard]] std::string sceneDrawing(int handle, double phase, double time, double tolerance,

@@ -12,13 +12,6 @@ using scene::Scene;
 
 namespace {
 
-/// Whether a document is larger than a text of it may be. A number takes nine bytes on its way here
-/// and at most 25 as text, so what is small here is small there.
-bool tooLarge(const scene::Json& document, unsigned bytes) {
-    return bytes > scene::maximumDocumentBytes / 3 &&
-           scene::dumpJson(document).size() > scene::maximumDocumentBytes;
-}
-
 /// A bit a pane, in the order of the enumeration.
 drawing::Panes panesOf(unsigned bits) {
     const auto has = [&](drawing::Pane pane) { return (bits >> static_cast<unsigned>(pane) & 1U) != 0; };
@@ -31,9 +24,7 @@ drawing::Panes panesOf(unsigned bits) {
 int Session::openScene(unsigned bytes) {
     auto document = input(bytes);
     if (!document) return refuse(document.error());
-    if (tooLarge(*document, bytes)) {
-        return refuse({Code::tooLarge, "", "A document has at most 1 MiB as text."});
-    }
+    if (const auto size = checkSize(*document, bytes); !size) return refuse(size.error());
     auto opened = Scene::open(*document);
     if (!opened) return refuse(opened.error());
     return hold(std::make_shared<Scene>(std::move(*opened)));
@@ -88,6 +79,20 @@ bool Session::sceneCanRedo(int handle) {
 double Session::sceneRevision(int handle) {
     const Scene* held = find<Scene>(handle);
     return held ? static_cast<double>(held->revision()) : -1;
+}
+
+std::string Session::sceneSelection(int handle) {
+    const Scene* held = find<Scene>(handle);
+    return held ? scene::dumpJson(scene::Json(held->selection())) : std::string();
+}
+
+bool Session::sceneSelect(int handle, unsigned bytes) {
+    Scene* held = find<Scene>(handle);
+    if (!held) return false;
+    const auto paths = input(bytes);
+    const auto selected = paths ? held->select(*paths) : Result<Done>(paths.error());
+    if (!selected) refuse(selected.error());
+    return selected.ok();
 }
 
 std::string Session::sceneDrawing(int handle, double phase, double time, double tolerance,

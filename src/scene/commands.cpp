@@ -54,6 +54,7 @@ Result<State> insertAt(const State& state, const Part& part, const Json& value) 
     Json spec = editable(state, part);
     auto changed = leadsToKnots(spec, part.rest) ? insertKnotIn(spec, part.rest, value)
                                                  : insertIn(std::move(spec), part.rest, value);
+    if (!changed && changed.error().path == "value") return changed.error();
     if (!changed) return changed.error().under(part.path());
     return withPart(state, part, std::move(*changed));
 }

@@ -1,6 +1,7 @@
 #include "scene/document.hpp"
 
 #include "scene/memory.hpp"
+#include "scene/migrations.hpp"
 #include "scene/object_builders.hpp"
 #include "scene/object_trace.hpp"
 #include "scene/validation.hpp"
@@ -42,39 +43,15 @@ Show showOf(const Json& spec) {
             .labels = shown("labels")};
 }
 
-bool hasId(std::span<const std::shared_ptr<const Object>> objects, std::string_view id) {
-    return std::any_of(objects.begin(), objects.end(),
-                       [&](const auto& object) { return object->id == id; });
-}
-
-/// The list under `key`, an empty one where it is left out.
-Result<Json> listUnder(const Json& document, std::string_view key, std::size_t most) {
-    const Json* list = member(document, key);
-    if (list == nullptr) return Json(Json::array());
-    if (!list->is_array()) {
-        return refuse(Code::wrongType, std::string(key),
-                      "Expected a list, got " + describeValue(*list) + ".");
-    }
-    if (list->size() > most) {
-        return refuse(Code::tooLarge, std::string(key),
-                      std::to_string(list->size()) + " entries; there may be " +
-                          std::to_string(most) + ".");
-    }
-    return *list;
-}
-
-Result<Objects> readObjects(const Json& list) {
+Result<Objects> readObjects(const Json* list) {
     Objects objects;
-    for (std::size_t i = 0; i < list.size(); ++i) {
-        Json spec = list[i];
+    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+        Json spec = (*list)[i];
         if (spec.is_object() && member(spec, "id") == nullptr) spec["id"] = freshId(objects);
         auto object = readObject(spec);
         if (!object) return object.error().under(indexed("objects", i));
-        if (hasId(objects, (*object)->id)) {
-            return refuse(Code::outOfRange, indexed("objects", i) + ".id",
-                          "There is an object \"" + (*object)->id +
-                              "\" already; every id stands once.");
-        }
+        const auto free = checkNewId(objects, (*object)->id);
+        if (!free) return free.error().under(indexed("objects", i));
         objects.push_back(std::move(*object));
     }
     return objects;
@@ -109,13 +86,69 @@ Result<std::shared_ptr<const Object>> objectOf(Made<Body> made, std::string id,
                                                  std::move(trace->trace), trace->frame, bytes});
 }
 
+/// n of an id `c<n>` as freshId() makes them, up to `most`; 0 for any other.
+std::size_t numberOfId(std::string_view id, std::size_t most) noexcept {
+    if (id.size() < 2 || id.size() > 8 || id[0] != 'c' || id[1] == '0') return 0;
+    std::size_t number = 0;
+    for (const char digit : id.substr(1)) {
+        if (digit < '0' || digit > '9') return 0;
+        number = 10 * number + static_cast<std::size_t>(digit - '0');
+    }
+    return number <= most ? number : 0;
+}
+
 }  // namespace
 
 std::string freshId(std::span<const std::shared_ptr<const Object>> objects) {
-    for (std::size_t n = 1;; ++n) {
-        std::string id = "c" + std::to_string(n);
-        if (!hasId(objects, id)) return id;
+    // So many objects cannot take all of these.
+    std::vector<bool> taken(objects.size() + 2, false);
+    for (const auto& object : objects) taken[numberOfId(object->id, objects.size() + 1)] = true;
+    std::size_t n = 1;
+    while (taken[n]) ++n;
+    return "c" + std::to_string(n);
+}
+
+Result<Done> checkNewId(std::span<const std::shared_ptr<const Object>> objects,
+                        std::string_view id) {
+    const bool taken = std::any_of(objects.begin(), objects.end(),
+                                   [&](const auto& object) { return object->id == id; });
+    if (!taken) return Done{};
+    return refuse(Code::outOfRange, "id",
+                  "There is an object \"" + std::string(id) +
+                      "\" already; every id stands once.");
+}
+
+Json headerOf(const Json& document) {
+    Json header = Json::object();
+    for (const auto& item : document.items()) {
+        if (item.key() != "objects" && item.key() != "effects") header[item.key()] = item.value();
     }
+    return header;
+}
+
+Result<const Json*> listUnder(const Json& document, std::string_view key, std::size_t most) {
+    const Json* list = member(document, key);
+    if (list == nullptr) return list;
+    if (!list->is_array()) {
+        return refuse(Code::wrongType, std::string(key),
+                      "Expected a list, got " + describeValue(*list) + ".");
+    }
+    if (list->size() > most) {
+        return refuse(Code::tooLarge, std::string(key),
+                      std::to_string(list->size()) + " entries; there may be " +
+                          std::to_string(most) + ".");
+    }
+    return list;
+}
+
+Result<Json> currentVersion(const Json& document) {
+    if (!document.is_object()) {
+        return refuse(Code::wrongType, "",
+                      "Expected a document such as { \"knotwork\": 1, \"objects\": […] }, got " +
+                          describeValue(document) + ".");
+    }
+    if (const auto version = checkVersion(document); !version) return version.error();
+    return isOutdated(document, migrations()) ? migrated(document, migrations()) : document;
 }
 
 Result<std::shared_ptr<const Json>> readHeader(const Json& header) {
@@ -142,29 +175,22 @@ Result<std::shared_ptr<const Object>> remakeObject(const Object& object, Json sp
     return objectOf(std::move(*made), object.id, object.bytes);
 }
 
-Result<State> readDocument(const Json& document) {
-    if (!document.is_object()) {
-        return refuse(Code::wrongType, "",
-                      "Expected a document such as { \"knotwork\": 1, \"objects\": […] }, got " +
-                          describeValue(document) + ".");
-    }
-    if (const auto version = checkVersion(document); !version) return version.error();
-    Json header = document;
-    header.erase("objects");
-    header.erase("effects");
+Result<State> readDocument(const Json& given) {
+    const auto document = currentVersion(given);
+    if (!document) return document.error();
     State state;
-    auto read = readHeader(header);
+    auto read = readHeader(headerOf(*document));
     if (!read) return read.error();
     state.header = std::move(*read);
-    const auto objectList = listUnder(document, "objects", maximumObjects);
+    const auto objectList = listUnder(*document, "objects", maximumObjects);
     if (!objectList) return objectList.error();
     auto objects = readObjects(*objectList);
     if (!objects) return objects.error();
     state.objects = std::move(*objects);
-    const auto effectList = listUnder(document, "effects", maximumEffects);
+    const auto effectList = listUnder(*document, "effects", maximumEffects);
     if (!effectList) return effectList.error();
-    for (std::size_t i = 0; i < effectList->size(); ++i) {
-        auto effect = readEffect((*effectList)[i], state.objects);
+    for (std::size_t i = 0; *effectList != nullptr && i < (*effectList)->size(); ++i) {
+        auto effect = readEffect((**effectList)[i], state.objects);
         if (!effect) return effect.error().under(indexed("effects", i));
         state.effects.push_back(std::move(*effect));
     }

@@ -24,7 +24,19 @@ constexpr std::size_t maximumEffects = 1000;
 /// Among these objects must be the effect's target.
 [[nodiscard]] Result<std::shared_ptr<const Effect>> readEffect(
     const Json& spec, std::span<const std::shared_ptr<const Object>> objects);
-/// `c1`, `c2` …: the first that no object has.
+/// `c1`, `c2` …: the first that no object has. O(objects).
 [[nodiscard]] std::string freshId(std::span<const std::shared_ptr<const Object>> objects);
+/// OUT_OF_RANGE `id` where an object has it already.
+[[nodiscard]] Result<Done> checkNewId(std::span<const std::shared_ptr<const Object>> objects,
+                                      std::string_view id);
+
+// How a document is taken apart, for readDocument() and findProblems().
+/// The document as one of this version (migrations.hpp). WRONG_TYPE for what is no object and for a
+/// missing version, VERSION for a future one.
+[[nodiscard]] Result<Json> currentVersion(const Json& document);
+[[nodiscard]] Json headerOf(const Json& document);
+/// Null where it is left out; WRONG_TYPE and TOO_LARGE.
+[[nodiscard]] Result<const Json*> listUnder(const Json& document, std::string_view key,
+                                            std::size_t most);
 
 }  // namespace knotwork::scene

@@ -33,7 +33,9 @@ constexpr std::array builders{
 Json inOrder(Json spec, std::span<const Field> fields) {
     Json ordered = Json::object();
     const auto take = [&](std::string_view key) {
-        if (Json* value = member(spec, key)) ordered[std::string(key)] = std::move(*value);
+        Json* value = member(spec, key);
+        if (value == nullptr || member(ordered, key) != nullptr) return;
+        ordered[std::string(key)] = std::move(*value);
     };
     take("id");
     take("type");

@@ -161,7 +161,11 @@ TEST(Commands, DegreeAndFormTakeTheKnotsWithThem) {
     expectDone(scene, R"({"set": "objects[0].form", "value": "clamped"})");
     EXPECT_EQ(object(scene, 0)["knots"], json("[0, 0, 0, 1, 3, 4, 4, 4]"));
     expectDone(scene, R"({"set": "objects[0].form", "value": "closed"})");
-    EXPECT_EQ(object(scene, 0)["knots"], json("[0, 1, 2, 3, 4, 5]"));
+    // The knots of the domain stay; the period closes with steps of their mean length.
+    const Json& closed = object(scene, 0)["knots"];
+    ASSERT_EQ(closed.size(), 6U);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(closed[i], json("[0, 1, 3, 4]")[i]);
+    EXPECT_NEAR(closed[5].get<double>(), 4 + 8 / 3.0, 1e-14);
     expectDone(scene, R"({"set": "objects[0].degree", "value": 4})");
     expectRefused(scene, R"({"set": "objects[0].degree", "value": 5})", Code::wrongLength,
                   "objects[0].points");
@@ -173,8 +177,8 @@ TEST(Commands, AnEndKnotOfAClampedCurveMovesWithItsEquals) {
     EXPECT_EQ(object(scene, 0)["knots"], json("[-1, -1, -1, 1, 3, 4, 4, 4]"));
     expectDone(scene, R"({"move": "objects[0].knots[3]", "to": 3})");
     EXPECT_EQ(object(scene, 0)["knots"], json("[-1, -1, -1, 3, 3, 4, 4, 4]"));
-    expectRefused(scene, R"({"move": "objects[0].knots[3]", "to": 3.5})", Code::knotsDecreasing,
-                  "objects[0].knots[4]");
+    expectRefused(scene, R"({"move": "objects[0].knots[3]", "to": 4.5})", Code::knotsDecreasing,
+                  "objects[0].knots[5]");
 }
 
 TEST(Commands, InsertingAKnotDoesNotMoveTheCurve) {
