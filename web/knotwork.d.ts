@@ -16,10 +16,18 @@ export type ErrorCode =
 
 /** Every refusal. Nothing else is ever thrown, and what was refused has changed nothing. */
 export class KnotworkError extends Error {
-    constructor(code: ErrorCode, path: string, message: string);
+    constructor(code: ErrorCode, path: string, message: string, problems?: readonly Problem[]);
     readonly code: ErrorCode;
     /** Where in the input, such as `knots[3]` or `objects[0].bFunction.alpha`; '' for the whole. */
     readonly path: string;
+    /** This, and of a document all else that is wrong with it, in the order of reading; at most 100. */
+    readonly problems: readonly Problem[];
+}
+
+export interface Problem {
+    code: ErrorCode;
+    path: string;
+    message: string;
 }
 
 export interface LoadOptions {
@@ -83,6 +91,8 @@ export interface Knotwork {
     trace(given: TraceArguments): Trace;
 
     scene(document: SceneDocument): Scene;
+    /** All that is wrong with a document: nothing where it opens. Never refuses. */
+    validate(document: unknown): Problem[];
     /** The built-in scenes. */
     readonly scenes: BuiltinScene[];
 
@@ -937,17 +947,63 @@ export interface SceneDocument {
     effects?: readonly Effect[];
 }
 
-/** Paths as in `objects[0].points[2]`; commands of one gesture are one step of history. */
-export type Command = { gesture?: string } & (
+/** How much farther local curves or patches are moved, turned and made larger. */
+export interface PoseChange {
+    translate?: Point;
+    rotate?: { axis?: Point; angle?: number };
+    /** One factor, greater than 0. */
+    scale?: number;
+    /** The point about which the whole group is turned and scaled; else each about its own. */
+    about?: Point;
+}
+
+/** A local curve j, or a local patch [i, j]; or several of one object. */
+export type PosedLocals =
+    | { local: number | readonly [number, number] }
+    | { locals: readonly (number | readonly [number, number])[] };
+
+/** Paths as in `objects[0].points[2]`. */
+export type SingleCommand =
+    /**
+     * What depends on a field follows it: knots and weights the points, the degree and the form (a
+     * closed curve that is opened does not move), poses the number of locals, fits the data. Setting
+     * an object's `type` keeps its id, style and show, and so does setting all of it without them.
+     */
     | { set: string; value: unknown }
-    /** Without `recut` a knot of a blending curve moves and its local curves stay where they are. */
-    | { move: string; to: number | Point; recut?: boolean }
-    | { move: string; by: number | Point; recut?: boolean }
+    /**
+     * A point, a vertex (a solid becomes vertices and faces), a knot or a number. A knot within
+     * `snap` of another one goes onto it. Of equal knots of a B-spline that one moves which does not
+     * pass the others, and the answer names it; equal ones at a clamped end move together. With
+     * `recut: false` a knot of a blending curve moves and its local curves stay where they are.
+     */
+    | { move: string; to: number | Point; recut?: boolean; snap?: number }
+    | { move: string; by: number | Point; recut?: boolean; snap?: number }
+    /** `objects[2]` or `effects[2]` to another place in its list. */
+    | { move: string; to: number }
+    /** Several places of objects by the same amount. */
+    | { move: readonly string[]; by: number | Point }
+    /**
+     * Before the element at the path, or after the last one: points, knots, poses, vertices, faces,
+     * rows of a net (`points[i]`) and its columns (`points[0][j]`, a list of one point for each
+     * row), objects and effects.
+     */
     | { insert: string; value: unknown }
+    /** Of a net `points[i]` takes out a row and `points[i][j]` a column. */
     | { remove: string }
     | { add: SceneObject }
-    | { pose: { object: string; local: number } & Pose }
-    | { insertKnot: { object: string; at: number } }
+    /** What is left out of a pose keeps its value. */
+    | { pose: { object: string } & PosedLocals & Pose }
+    | { pose: { object: string; by: PoseChange } & PosedLocals }
+    | { insertKnot: { object: string; at: number } };
+
+/**
+ * Commands of one gesture are one step of history, and so is a list of them, of which all are
+ * carried out or none (a refusal's path begins with `all[i]`). `selection` is what is selected from
+ * then on: undo brings back what was selected before the step.
+ */
+export type Command = { gesture?: string; selection?: readonly string[] } & (
+    | SingleCommand
+    | { all: readonly SingleCommand[] }
 );
 
 export type Pane = 'curve' | 'basis' | 'knots' | 'bFunction' | 'hodograph';
@@ -1081,6 +1137,10 @@ export interface Scene extends Disposable {
     readonly canRedo: boolean;
     /** The fields of each object. */
     readonly schema: { object: string; type: string; label: string; fields: FieldDescription[] }[];
+    /** What is selected: paths into the document, without those that lead nowhere any more. */
+    readonly selection: string[];
+    /** Selects without a step of history; at most 10 000 paths. */
+    select(paths: readonly string[]): void;
     /** Grows by one with every change. */
     readonly revision: number;
     /** Its name in the module, for a view that shows it. */

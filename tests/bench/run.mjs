@@ -11,6 +11,7 @@ import { fittingCases } from './cases/fitting.mjs';
 import { meshCases } from './cases/meshes.mjs';
 import { nativeCases } from './cases/native.mjs';
 import { refinementCases } from './cases/refinement.mjs';
+import { sceneCases } from './cases/scenes.mjs';
 import { subdivisionCases } from './cases/subdivision.mjs';
 import { surfaceCases } from './cases/surfaces.mjs';
 import { compare, largestDifference } from './ratio.mjs';
@@ -22,7 +23,7 @@ import { compare, largestDifference } from './ratio.mjs';
 
 const cases = [
     ...curveCases, ...refinementCases, ...fittingCases, ...subdivisionCases, ...blendingCases,
-    ...surfaceCases, ...blendingSurfaceCases, ...meshCases, ...nativeCases,
+    ...surfaceCases, ...blendingSurfaceCases, ...meshCases, ...sceneCases, ...nativeCases,
 ];
 
 /** @param {Work} work */

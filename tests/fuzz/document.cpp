@@ -1,10 +1,14 @@
 // Any text as a document, and what follows it as commands, one a line after a line that begins with
-// `>`: refused with a code, or a scene whose canonical document opens again as itself.
+// `>`: refused with a code, and then first of all its problems; or a scene whose canonical document
+// opens again as itself, and whose steps lead back to the first document and forth to the last.
 #include "fuzz/input.hpp"
 
 #include "drawing/drawing.hpp"
+#include "scene/problems.hpp"
 #include "scene/scene.hpp"
+#include "scene/validation.hpp"
 
+#include <string>
 #include <string_view>
 
 using namespace knotwork;
@@ -27,9 +31,31 @@ void execute(scene::Scene& scene, std::string_view line) {
     } else if (line == "redo") {
         scene.redo();
     } else if (const auto command = scene::parseJson(line)) {
-        const auto before = scene.revision();
+        const auto revision = scene.revision();
+        const std::string before = scene::dumpJson(scene.document());
         const auto done = scene.execute(*command);
-        fuzz::check(done.ok() == (scene.revision() != before), "a refused command changes nothing");
+        fuzz::check(done.ok() == (scene.revision() != revision), "a refused command is no step");
+        if (done) return checkCanonical(scene);
+        fuzz::check(scene::dumpJson(scene.document()) == before, "a refused command changes nothing");
+    }
+}
+
+/// To the last step and back to the first one, and once more.
+void checkHistory(scene::Scene& scene, const std::string& first) {
+    while (scene.redo()) {}
+    const std::string last = scene::dumpJson(scene.document());
+    while (scene.undo()) (void)scene.selection();
+    fuzz::check(scene::dumpJson(scene.document()) == first, "undone is as it was");
+    while (scene.redo()) (void)scene.selection();
+    fuzz::check(scene::dumpJson(scene.document()) == last, "redone is as it came to be");
+}
+
+void checkProblems(const scene::Json& document, const Error& refusal) {
+    const auto problems = scene::findProblems(document);
+    fuzz::check(!problems.empty() && problems.front() == refusal, "the refusal is the first problem");
+    fuzz::check(problems.size() <= scene::maximumProblems, "there are not too many problems");
+    for (const Error& problem : problems) {
+        fuzz::check(problem.message.size() > 10, "a refusal says why");
     }
 }
 
@@ -49,11 +75,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!parsed) return 0;
     auto scene = scene::Scene::open(*parsed);
     if (!scene) {
-        fuzz::check(scene.error().message.size() > 10, "a refusal says why");
+        checkProblems(*parsed, scene.error());
         return 0;
     }
-    for (int i = 0; i < 8 && !text.empty(); ++i) execute(*scene, take(text));
+    fuzz::check(scene::findProblems(*parsed).empty(), "a document that opens has no problems");
     checkCanonical(*scene);
+    const std::string first = scene::dumpJson(scene->document());
+    for (int i = 0; i < 12 && !text.empty(); ++i) execute(*scene, take(text));
+    checkHistory(*scene, first);
     drawing::Options options;
     options.moment.phase = 0.3;
     options.tolerance = 0.1;

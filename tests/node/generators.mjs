@@ -93,3 +93,86 @@ export function withCurve(kw, spec, act) {
         curve.dispose();
     }
 }
+
+// Documents of every type of object, and commands on them.
+
+const place2 = fc.tuple(number(-5, 5), number(-5, 5));
+const place3 = fc.tuple(number(-5, 5), number(-5, 5), number(-5, 5));
+/** @param {number} least @param {number} most */
+const places23 = (least, most) => fc.oneof(
+    fc.array(place2, { minLength: least, maxLength: most }), fc.array(place3, { minLength: least, maxLength: most }));
+const model = fc.constantFrom(
+    { type: 'parametric-curve', name: 'circle' }, { type: 'parametric-curve', name: 'trefoil' },
+    { type: 'bspline-curve', degree: 2, points: [[0, 0], [1, 2], [3, 3], [5, 0]] });
+const net = fc.record({ rows: fc.integer({ min: 3, max: 4 }), row: fc.array(place3, { minLength: 3, maxLength: 5 }) })
+    .map(({ rows, row }) => Array.from({ length: rows }, (_, i) => row.map(([x, y, z]) => [x + i, y, z])));
+
+export const sceneObject = fc.oneof(
+    spline,
+    fc.record({ type: fc.constant('blending-curve'), bFunction: family, model, locals: fc.record({ count: fc.integer({ min: 2, max: 6 }) }) }),
+    fc.record({
+        type: fc.constant('blending-surface'), bFunction: family,
+        model: fc.constantFrom({ type: 'parametric-surface', name: 'torus' }, { type: 'parametric-surface', name: 'plane' }),
+        locals: fc.tuple(fc.integer({ min: 2, max: 4 }), fc.integer({ min: 2, max: 4 })),
+    }),
+    fc.record({ type: fc.constant('bspline-surface'), degree: fc.constantFrom([1, 2], [2, 1]), points: net, form: fc.constantFrom(['clamped', 'closed'], ['open', 'clamped']) }),
+    fc.record({ type: fc.constant('subdivision-surface'), levels: fc.integer({ min: 0, max: 2 }), mesh: fc.constantFrom({ solid: 'cube' }, { solid: 'torus' }) }),
+    fc.record({ type: fc.constant('point-cloud'), points: places23(4, 8) }),
+    fc.record({ type: fc.constant('bezier-curve'), points: places23(2, 5) }),
+    fc.record({ type: fc.constant('subdivision-curve'), scheme: fc.constantFrom('lane-riesenfeld', 'chaikin', 'four-point'), points: places23(4, 6) }),
+    fc.constantFrom(
+        { type: 'formula-curve', x: 't', y: 'sin(t)', domain: [0, 3] }, { type: 'line-curve', from: [0, 0], to: [1, 2] },
+        { type: 'arc-curve', at: 0, point: [0, 0], first: [1, 0], second: [0, 1], domain: [0, 1] },
+        { type: 'parametric-surface', name: 'sphere' }, { type: 'parametric-curve', name: 'butterfly' }),
+);
+
+/** One effect of each kind that goes on every object. */
+const effect = fc.record({
+    kind: fc.constantFrom('translate', 'rotate', 'scale', 'colour'), period: number(0.1, 100), easing: family,
+});
+
+export const sceneDocument = fc.record({
+    title: fc.string(), objects: fc.array(sceneObject, { minLength: 1, maxLength: 4 }), effects: fc.array(effect, { maxLength: 3 }),
+}).map(({ title, objects, effects }) => ({
+    knotwork: 1, title,
+    objects: objects.map((object, i) => ({ id: `o${i}`, ...object })),
+    effects: effects.map((one, i) => ({ target: `o${i % objects.length}`, ...one })),
+}));
+
+/** Every place of a document, as the paths of commands name them. */
+export function pathsOf(value, path = '') {
+    if (typeof value !== 'object' || value === null) return [path];
+    const steps = Array.isArray(value)
+        ? value.map((one, i) => [`${path}[${i}]`, one])
+        : Object.entries(value).map(([key, one]) => [path ? `${path}.${key}` : key, one]);
+    return [...(path ? [path] : []), ...steps.flatMap(([step, one]) => pathsOf(one, step))];
+}
+
+const anything = fc.oneof(
+    fc.integer({ min: -1, max: 9 }), number(-9, 9), place2, place3, sceneObject, family,
+    fc.constantFrom(null, true, [], {}, 'x', 1e308, 'open', 'closed', 'clamped', 'loop', 'torus', 'cube', 'bezier', 'length', '#00ff00',
+        'bspline-curve', 'blending-curve', 'bspline-surface', 'blending-surface', 'subdivision-surface', 'point-cloud', 'parametric-curve'));
+const local = fc.oneof(fc.integer({ min: 0, max: 5 }), fc.tuple(fc.integer({ min: 0, max: 3 }), fc.integer({ min: 0, max: 3 })));
+const inObjects = fc.record({
+    i: fc.integer({ min: 0, max: 3 }), j: fc.integer({ min: 0, max: 3 }), k: fc.integer({ min: 0, max: 6 }),
+    where: fc.constantFrom('points[k]', 'points[j][k]', 'knots[k]', 'knots[0][k]', 'mesh.vertices[k]', 'form', 'degree', 'locals.count', 'locals[1]', 'type'),
+}).map(({ i, j, k, where }) => `objects[${i}].${where.replace('j', j).replace('[k]', `[${k}]`)}`);
+
+/** A function of the document that the command is for. */
+const oneCommand = fc.record({
+    kind: fc.integer({ min: 0, max: 9 }), at: fc.nat(), deep: fc.boolean(), named: inObjects, other: inObjects, value: anything, by: place2,
+    object: fc.integer({ min: 0, max: 3 }), more: sceneObject, local, to: fc.integer({ min: 0, max: 4 }),
+}).map(({ kind, at, deep, named, other, value, by, object, more, local: one, to }) => (document) => {
+    const paths = pathsOf(document);
+    const path = deep ? paths[at % paths.length] : named;
+    return [
+        () => ({ set: path, value }), () => ({ set: other, value }), () => ({ move: path, by }), () => ({ move: path, to: value, snap: 0.5 }),
+        () => ({ insert: path, value }), () => ({ remove: path }), () => ({ add: more }), () => ({ move: [named, other], by }),
+        () => ({ pose: { object: `o${object}`, locals: [one], by: { translate: by, scale: 1.5 } } }), () => ({ move: `objects[${object}]`, to }),
+    ][kind]();
+});
+export const sceneCommand = fc.oneof(
+    { weight: 5, arbitrary: oneCommand },
+    { weight: 1, arbitrary: fc.tuple(oneCommand, oneCommand).map(([a, b]) => (document) => ({ all: [a(document), b(document)] })) },
+    { weight: 1, arbitrary: fc.tuple(oneCommand, fc.constantFrom('a', 'b')).map(([one, gesture]) => (document) => ({ ...one(document), gesture })) },
+);
