@@ -157,7 +157,10 @@ Json anyValue() {
         case 4: return anyObject();
         case 5: return blend();
         case 6: return oneOf({"null", "true", "[]", "{}", R"("x")", "1e308", "[[0,1],[1,2],[2,5]]"});
-        default: return objectTypes()[static_cast<std::size_t>(*whole(0, 12))].type;
+        default: {
+            const auto types = objectTypes();
+            return types[static_cast<std::size_t>(*whole(0, static_cast<int>(types.size()) - 1))].type;
+        }
     }
 }
 
