@@ -180,7 +180,7 @@ export const methods = {
     BlendingSurface: { ...surface, local: ['integer', 'integer'], withPose: ['list', 'object'] },
     BlendingTriangle: { ...surface, local: ['integer'], weights: ['number', 'number'] },
     Scene: {
-        drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'],
+        drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'], select: ['list'],
     },
 };
 
