@@ -131,6 +131,11 @@ TEST(DrawnSurfaces, IsolinesLieOnTheSurfaceAtItsKnots) {
         }
     }
     EXPECT_GT(atKnot, 8U);
+    for (std::size_t k = 0; k < 9; ++k) {  // those of constant v, in order
+        for (std::size_t i = 0; i < lines[3 + k]->positions.size() / 3; ++i) {
+            EXPECT_NEAR(positionIn(*lines[3 + k], i).y, 3.0 * static_cast<double>(k) / 8, 1e-9);
+        }
+    }
 }
 
 TEST(DrawnSurfaces, ASurfaceWithAnEdgeWhereNoGridHasALineKeepsItsEdge) {
