@@ -185,7 +185,12 @@ const values = {
     Trace: factors,
     TraceFrame: factors.frames[1],
     Drawing: kw.scene(kw.scenes[0].document).drawing(),
-    Shape: kw.scene(kw.scenes[0].document).drawing().shapes[0],
+    // Triangles have normals and indices, labels an offset: all that a shape can have.
+    Shape: Object.assign({}, ...kw.scene({
+        knotwork: 1,
+        objects: [{ type: 'parametric-surface', name: 'torus' },
+            { type: 'bezier-curve', points: [[0, 0], [1, 1]], show: { labels: true } }],
+    }).drawing({ tolerance: 0.1 }).shapes),
 };
 
 for (const [name, value] of Object.entries(values)) {
