@@ -3,6 +3,8 @@
 /** @typedef {{ code: string, path: string, message: string }} Problem */
 
 export class KnotworkError extends Error {
+    #problems;
+
     /**
      * @param {string} code one of the codes of the public interface
      * @param {string} path where in the input, such as `knots[3]`; empty for the whole of it
@@ -13,7 +15,12 @@ export class KnotworkError extends Error {
         super(message);
         this.code = code;
         this.path = path;
-        this.problems = problems.length > 0 ? problems : [{ code, path, message }];
+        this.#problems = problems.length > 0 ? problems : [{ code, path, message }];
+    }
+
+    /** This and, of a document, all else that is wrong with it, in the order of reading. */
+    get problems() {
+        return this.#problems;
     }
 }
 Object.defineProperty(KnotworkError.prototype, 'name', {

@@ -225,7 +225,7 @@ test('links that mean harm are refused in good time', async () => {
         let least = Infinity;
         for (let i = 0; i < 3; ++i) {
             const start = performance.now();
-            await refusesLater(kw.decodeLink(text));
+            await assert.rejects(kw.decodeLink(text), KnotworkError);
             least = Math.min(least, performance.now() - start);
         }
         assert.ok(least < 100, `${text.slice(0, 40)}: ${least} ms`);
