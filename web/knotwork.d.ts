@@ -493,10 +493,19 @@ export type SolidSpec =
     | { solid: 'sphere'; parameters?: { around?: number; across?: number } }
     | { solid: 'grid'; parameters?: { columns?: number; rows?: number } };
 
+/**
+ * An edge, by its two vertices, that `catmull-clark` and `loop` keep sharp for `sharpness` levels (above
+ * 0, up to 10; a fraction is what the last of them keeps), or for ever where it is `'infinite'`.
+ */
+export interface MeshCrease {
+    edge: readonly [number, number];
+    sharpness: number | 'infinite';
+}
+
 export type MeshSpec =
-    | SolidSpec
+    | (SolidSpec & { creases?: readonly MeshCrease[] })
     /** Each face names its vertices once, counter-clockwise seen from outside. */
-    | { vertices: Points; faces: readonly (readonly number[])[] }
+    | { vertices: Points; faces: readonly (readonly number[])[]; creases?: readonly MeshCrease[] }
     /** The text of an OBJ file: its vertices and faces; everything else in it is passed over. */
     | { obj: string };
 
@@ -510,6 +519,8 @@ export interface Mesh extends Disposable {
     readonly faces: number[][];
     /** [v0, v1, f0, f1]: face f0 goes from v0 to v1, f1 back; −1 on a boundary. */
     readonly edges: number[][];
+    /** Those that it was given or has left of a coarser mesh. */
+    readonly creases: MeshCrease[];
     /** Three vertices a triangle: the faces cut for drawing, larger ones than quads as if convex. */
     readonly indices: Uint32Array;
     /**
@@ -520,9 +531,11 @@ export interface Mesh extends Disposable {
     /**
      * `levels` steps of a scheme (0 or more). `loop`, `butterfly` and `sqrt3` need triangles, otherwise
      * they are NOT_SUPPORTED at `faces[i]`. A boundary is a curve of its own without fixed corners.
+     * Creases are for `catmull-clark` and `loop` (elsewhere NOT_SUPPORTED at `scheme`); a level takes 1
+     * from their sharpness.
      */
     subdivide(scheme: MeshScheme, levels?: number): Mesh;
-    /** Where the vertices go in the end, and the normals there. Not of `doo-sabin`, whose limits belong to faces. */
+    /** Where the vertices go in the end, and the normals there. Not of `doo-sabin`, whose limits belong to faces, nor with creases. */
     limit(scheme: MeshScheme): { positions: Float64Array; normals: Float64Array };
     /** How smooth its limits are, where all valences are regular and elsewhere, and which meshes it takes. */
     classification(scheme: MeshScheme): {
@@ -536,7 +549,9 @@ export interface Mesh extends Disposable {
     /** The text of an OBJ file, which reads back as the same mesh, to the bit. */
     toObj(): string;
     /** What makes it again: the solid that it is, defaults filled in, or its vertices and faces. */
-    readonly spec: SolidSpec | { vertices: Point3[]; faces: number[][] };
+    readonly spec:
+        | (SolidSpec & { creases?: MeshCrease[] })
+        | { vertices: Point3[]; faces: number[][]; creases?: MeshCrease[] };
 }
 
 export interface Solid {

@@ -51,6 +51,12 @@ export class Mesh extends Held {
         return edges;
     }
 
+    /** Its creases, with what is left of their sharpness. */
+    get creases() {
+        const { core, handle } = Held.of(this);
+        return core.json('meshCreases', handle);
+    }
+
     /** Three vertices for each triangle that the faces can be cut into. */
     get indices() {
         const { core, handle } = Held.of(this);
@@ -112,8 +118,10 @@ export class Mesh extends Held {
         const { core, handle } = Held.of(this);
         const spec = core.json('meshSpec', handle);
         if (spec !== null) return spec;
+        const creases = core.json('meshCreases', handle);
         const { points, vertices } = partsOf(this);
-        return { vertices: rowsOf(core.doubles(points, 3 * vertices), vertices), faces: facesOf(this) };
+        const lists = { vertices: rowsOf(core.doubles(points, 3 * vertices), vertices), faces: facesOf(this) };
+        return creases.length > 0 ? { ...lists, creases } : lists;
     }
 }
 
@@ -159,22 +167,37 @@ function rowsOf(flat, count) {
 /** @param {Core} core @param {unknown} given */
 export function makeMesh(core, given) {
     if (typeof given !== 'object' || given === null) throw noMesh(given);
-    const fields = options(given, ['vertices', 'faces', 'solid', 'parameters', 'obj']);
-    const { vertices, faces, solid, parameters, obj } = fields;
+    const fields = options(given, ['vertices', 'faces', 'creases', 'solid', 'parameters', 'obj']);
+    const { vertices, faces, creases, solid, parameters, obj } = fields;
     if (solid !== undefined) {
-        alone(fields, ['solid', 'parameters']);
-        return new Mesh(core, core.ask('mesh', core.send({ solid, parameters })));
+        alone(fields, ['solid', 'parameters', 'creases']);
+        return new Mesh(core, core.ask('mesh', core.send({ solid, parameters, creases })));
     }
     if (obj !== undefined) {
         alone(fields, ['obj']);
         return new Mesh(core, fromObj(core, text(obj, 'obj')));
     }
-    alone(fields, ['vertices', 'faces']);
+    alone(fields, ['vertices', 'faces', 'creases']);
     if (vertices === undefined && faces === undefined) throw noMesh(given);
     // A list of the caller's own numbers is read last, when no code of theirs can change it any more.
     const rows = packedFaces(faces);
     sendMesh(core, packedVertices(vertices), rows);
-    return new Mesh(core, core.ask('meshFromRoom'));
+    const mesh = new Mesh(core, core.ask('meshFromRoom'));
+    return creases === undefined ? mesh : creased(mesh, creases);
+}
+
+/**
+ * The mesh with creases, in its place.
+ * @param {Mesh} mesh
+ * @param {unknown} creases
+ */
+function creased(mesh, creases) {
+    const { core, handle } = Held.of(mesh);
+    try {
+        return new Mesh(core, core.ask('meshCreased', handle, core.send({ creases })));
+    } finally {
+        mesh.dispose();
+    }
 }
 
 /** @param {Core} core @param {string} obj */

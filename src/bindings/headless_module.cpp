@@ -93,6 +93,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("bulkIndices", &Session::bulkIndices)
         .function("meshTriangulated", &Session::meshTriangulated)
         .function("meshObj", &Session::meshObj)
+        .function("meshCreased", &Session::meshCreased)
+        .function("meshCreases", &Session::meshCreases)
         .function("meshSubdivided", &Session::meshSubdivided)
         .function("meshLimit", &Session::meshLimit)
         .function("meshClassification", &Session::meshClassification)

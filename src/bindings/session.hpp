@@ -207,6 +207,10 @@ public:
     [[nodiscard]] Address bulkIndices() const;
     [[nodiscard]] int meshTriangulated(int handle);
     [[nodiscard]] std::string meshObj(int handle);
+    /// The mesh with those of { creases }.
+    [[nodiscard]] int meshCreased(int handle, unsigned bytes);
+    /// [{ edge, sharpness }]
+    [[nodiscard]] std::string meshCreases(int handle);
     /// `scheme` is the place of one in MeshScheme.
     [[nodiscard]] int meshSubdivided(int handle, int scheme, int levels);
     /// bulk: all positions, then all normals. Answers how many vertices, or -1.

@@ -145,6 +145,19 @@ std::string Session::meshObj(int handle) {
     return scene::writeObj(held->mesh);
 }
 
+int Session::meshCreased(int handle, unsigned bytes) {
+    const auto given = input(bytes);
+    if (!given) return refuse(given.error());
+    const auto* held = find<MeshValue>(handle);
+    return held ? holdMesh(scene::withCreases(held->mesh, given->value("creases", scene::Json())))
+                : 0;
+}
+
+std::string Session::meshCreases(int handle) {
+    const auto* held = find<MeshValue>(handle);
+    return held ? scene::dumpJson(scene::describeCreases(held->mesh)) : std::string();
+}
+
 int Session::meshSubdivided(int handle, int scheme, int levels) {
     const auto* held = find<MeshValue>(handle);
     return held ? holdMesh(subdivide(held->mesh, static_cast<MeshScheme>(scheme), levels)) : 0;

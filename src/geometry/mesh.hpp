@@ -40,6 +40,18 @@ struct MeshEdge {
     friend bool operator==(const MeshEdge&, const MeshEdge&) = default;
 };
 
+/// An edge that subdivision keeps sharp for so many levels, in part where that is no whole number;
+/// for ever where it is infinite.
+struct MeshCrease {
+    std::uint32_t v0 = 0;
+    std::uint32_t v1 = 0;
+    double sharpness = 0;
+
+    friend bool operator==(const MeshCrease&, const MeshCrease&) = default;
+};
+
+inline constexpr double maxSharpness = 10;
+
 /// Faces as compressed rows: face f has the corners begin(f) … begin(f + 1) − 1.
 struct FaceRows {
     std::span<const std::uint32_t> corners;
@@ -106,6 +118,16 @@ public:
 
     [[nodiscard]] MeshCounts counts() const;
 
+    /// Empty for most.
+    [[nodiscard]] std::span<const MeshCrease> creases() const noexcept;
+    /// The same mesh with these creases and no others. Refusals: OUT_OF_RANGE `creases[i].edge`
+    /// where there is no edge between its vertices, or the edge comes twice; NOT_FINITE or
+    /// OUT_OF_RANGE `creases[i].sharpness` that is neither positive up to maxSharpness nor infinite.
+    /// O(edges · log creases).
+    [[nodiscard]] Result<Mesh> withCreases(std::vector<MeshCrease> creases) const;
+    /// The same unchecked: for creases that an algorithm has made.
+    [[nodiscard]] Mesh withTrustedCreases(std::vector<MeshCrease> creases) const;
+
 private:
     struct Data;
     explicit Mesh(std::shared_ptr<const Data> data) noexcept;
@@ -115,6 +137,7 @@ private:
     const Data& withEdges() const;
 
     std::shared_ptr<const Data> data_;
+    std::shared_ptr<const std::vector<MeshCrease>> creases_;  // null where there are none
 };
 
 /// V − E + F; isolated vertices count.

@@ -1,3 +1,4 @@
+#include "geometry/mesh_creases.hpp"
 #include "geometry/mesh_schemes.hpp"
 
 #include <algorithm>
@@ -96,13 +97,18 @@ RawArray<Vec3> finerPoints(const MeshLevel& level) {
     });
     moveVertices(level, finer.data());
     refineCubicBoundary(level, {finer.data(), vertices}, {edgePoints, level.edges});
+    refineCreases(level, {finer.data(), vertices}, {edgePoints, level.edges});
     return finer;
+}
+
+std::uint32_t firstEdgePoint(const MeshLevel& level) noexcept {
+    return static_cast<std::uint32_t>(level.points.size() + level.faces.count());
 }
 
 /// Corner k of a face becomes the quad v_k, e_k, f, e_{k−1}.
 RawArray<std::uint32_t> finerCorners(const MeshLevel& level) {
     const auto firstFace = static_cast<std::uint32_t>(level.points.size());
-    const auto firstEdge = static_cast<std::uint32_t>(firstFace + level.faces.count());
+    const std::uint32_t firstEdge = firstEdgePoint(level);
     RawArray<std::uint32_t> finer(4 * level.faces.corners.size());
     std::uint32_t* to = finer.data();
     visitFaces(level.faces, [&](std::size_t face, std::size_t begin, auto size) {
@@ -173,6 +179,7 @@ MeshLevel finerLevel(const MeshLevel& level) {
     finer.cornerEdges = finer.ownCornerEdges;
     finer.edges = numbers.count();
     finer.valences = finerValences(level);
+    finer.creases = halvedCreases(level, firstEdgePoint(level), numbers);
     finer.boundary = halvedBoundary(
         level.boundary, [](std::uint32_t corner) { return 4 * corner; },
         [&](std::uint32_t corner) { return 4 * following(level.faces, corner) + 3; });
@@ -184,7 +191,8 @@ MeshLevel finerLevel(const MeshLevel& level) {
 Mesh subdivideCatmullClark(const Mesh& mesh, int levels) {
     MeshLevel level = firstLevel(mesh);
     for (int done = 1; done < levels; ++done) level = finerLevel(level);
-    return Mesh::trusted(finerPoints(level), finerCorners(level), 4U);
+    const Mesh finer = Mesh::trusted(finerPoints(level), finerCorners(level), 4U);
+    return withHalvedCreases(finer, level, firstEdgePoint(level));
 }
 
 }  // namespace knotwork

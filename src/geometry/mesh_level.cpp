@@ -1,5 +1,6 @@
 #include "geometry/mesh_level.hpp"
 
+#include "geometry/mesh_creases.hpp"
 #include "geometry/mesh_fans.hpp"
 
 #include <algorithm>
@@ -14,6 +15,7 @@ MeshLevel firstLevel(const Mesh& mesh) {
     level.cornerEdges = mesh.cornerEdges();
     level.edges = mesh.edges().size();
     level.boundary = boundaryOf(mesh);
+    level.creases = creasesOf(mesh);
     level.valences.assign(level.points.size(), 0);
     for (const std::uint32_t vertex : level.faces.corners) ++level.valences[vertex];
     return level;

@@ -26,12 +26,21 @@ struct BoundaryEdge {
     std::uint32_t fans = 1;    ///< how many open fans meet where it begins
 };
 
+/// An inner edge that is kept sharp, from v0 to v1 as the first of its faces goes along it.
+struct LevelCrease {
+    std::uint32_t edge = 0;
+    std::uint32_t v0 = 0;
+    std::uint32_t v1 = 0;
+    double sharpness = 0;
+};
+
 struct MeshLevel {
     std::span<const Vec3> points;
     FaceRows faces;
     std::span<const std::uint32_t> cornerEdges;
     std::size_t edges = 0;
     std::vector<BoundaryEdge> boundary;
+    std::vector<LevelCrease> creases;
     /// How many faces each of the first vertices has; all others inside are regular.
     std::vector<std::uint32_t> valences;
 
@@ -99,6 +108,11 @@ public:
         return count_++;
     }
     void endFace() noexcept { met_ = metHere_; }
+    /// The number of the half of an edge at which its first face begins to go along it, or of the
+    /// other; both have been met.
+    [[nodiscard]] std::uint32_t half(std::uint32_t edge, bool other) const noexcept {
+        return halves_[2 * std::size_t{edge} + (other ? 1 : 0)];
+    }
 
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
 

@@ -304,6 +304,11 @@ Result<MeshLimit> limit(const Mesh& mesh, MeshScheme scheme) {
                       "The limit points of doo-sabin belong to faces, not to vertices. Take "
                       "another scheme, or subdivide.");
     }
+    if (!mesh.creases().empty()) {
+        return refuse(Code::notSupported, "creases",
+                      "The limit of a mesh with creases is not known by a formula here. Subdivide "
+                      "until they are smooth, or often enough.");
+    }
     const bool needsFiner = needsFinerMesh(mesh, scheme);
     if (auto wrong = checkMeshFor(mesh, scheme, needsFiner ? 1 : 0)) {
         if (wrong->code == Code::tooLarge) wrong->path.clear();

@@ -1,3 +1,4 @@
+#include "geometry/mesh_creases.hpp"
 #include "geometry/mesh_schemes.hpp"
 
 #include <algorithm>
@@ -63,6 +64,7 @@ RawArray<Vec3> finerPoints(const MeshLevel& level) {
     }
     moveVertices(level, finer.data());
     refineCubicBoundary(level, {finer.data(), vertices}, {ofEdges, level.edges});
+    refineCreases(level, {finer.data(), vertices}, {ofEdges, level.edges});
     return finer;
 }
 
@@ -72,7 +74,8 @@ Mesh subdivideLoop(const Mesh& mesh, int levels) {
     MeshLevel level = firstLevel(mesh);
     for (int done = 1; done < levels; ++done) level = quarteredLevel(level, finerPoints(level));
     RawArray<Vec3> points = finerPoints(level);
-    return Mesh::trusted(std::move(points), quarteredTriangles(level), 3U);
+    const Mesh finer = Mesh::trusted(std::move(points), quarteredTriangles(level), 3U);
+    return withHalvedCreases(finer, level, static_cast<std::uint32_t>(level.points.size()));
 }
 
 }  // namespace knotwork

@@ -92,6 +92,15 @@ std::optional<Error> checkBacks(const Mesh& mesh) {
     return std::nullopt;
 }
 
+std::optional<Error> checkCreases(const Mesh& mesh, MeshScheme scheme) {
+    const bool knows = scheme == MeshScheme::catmullClark || scheme == MeshScheme::loop;
+    if (knows || mesh.creases().empty()) return std::nullopt;
+    return refuse(Code::notSupported, "scheme",
+                  std::string(meshSchemeNames[static_cast<std::size_t>(scheme)]) +
+                      " has no rules for creases. Take catmull-clark or loop, or a mesh without "
+                      "creases.");
+}
+
 std::optional<Error> checkFaces(const Mesh& mesh, MeshScheme scheme) {
     if (classification(scheme).mesh == "any") return std::nullopt;
     if (mesh.uniformSize() != 3) return notATriangle(mesh.faces(), scheme);
@@ -122,6 +131,7 @@ Result<Mesh> subdivide(const Mesh& mesh, MeshScheme scheme, int levels) {
                       std::to_string(levels) + " levels; there are 0 or more.");
     }
     if (auto wrong = checkMeshFor(mesh, scheme, levels)) return *std::move(wrong);
+    if (auto wrong = checkCreases(mesh, scheme)) return *std::move(wrong);
     if (levels == 0) return mesh;
     switch (scheme) {
         case MeshScheme::catmullClark: return subdivideCatmullClark(mesh, levels);

@@ -27,6 +27,8 @@
 // Vertices without faces stay where they are (Doo–Sabin drops them). Where several fans of faces
 // meet in a vertex, it takes the rule for all their faces together, or on a boundary the mean of
 // the fans' rules; Butterfly's edges and Doo–Sabin's faces go by the fan that they belong to.
+//
+// Catmull–Clark and Loop keep creases sharp (mesh_creases.hpp) and pass what is left of them on.
 #pragma once
 
 #include "geometry/mesh.hpp"
@@ -58,7 +60,8 @@ struct MeshClassification {
 /// A mesh `levels` levels finer; for 0 the mesh itself. Refusals: OUT_OF_RANGE `levels` below 0,
 /// TOO_LARGE `levels` where the result would have more than 4 million vertices, NOT_SUPPORTED
 /// `faces[i]` for the first face that is no triangle where the scheme needs them, or has another
-/// with the same vertices on its back. O(size of the result), and less than twice its memory. Error
+/// with the same vertices on its back, and `scheme` for one that has no rules for the creases that
+/// there are. O(size of the result), and less than twice its memory. Error
 /// of a level: a few ulp of the largest coordinate; equal coordinates stay equal to the bit.
 [[nodiscard]] Result<Mesh> subdivide(const Mesh& mesh, MeshScheme scheme, int levels);
 
@@ -72,7 +75,7 @@ struct MeshLimit {
 /// By the eigenvectors of the scheme around a vertex; on a boundary that of the boundary's curve
 /// and the strongest of those that cross it. Where several fans meet in a vertex, the normal is the
 /// mean of theirs. Refusals: NOT_SUPPORTED `scheme` for Doo–Sabin, whose limit points belong to
-/// faces; `faces[i]` as subdivide(); TOO_LARGE at the empty path for a mesh of which one finer
+/// faces, and `creases` where there are any; `faces[i]` as subdivide(); TOO_LARGE at the empty path for a mesh of which one finer
 /// level is needed (Catmull–Clark unless all faces are quads; Butterfly) that would be too large.
 /// O(n).
 [[nodiscard]] Result<MeshLimit> limit(const Mesh& mesh, MeshScheme scheme);

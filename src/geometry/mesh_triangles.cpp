@@ -1,3 +1,4 @@
+#include "geometry/mesh_creases.hpp"
 #include "geometry/mesh_schemes.hpp"
 
 #include <utility>
@@ -56,6 +57,8 @@ MeshLevel quarteredLevel(const MeshLevel& level, RawArray<Vec3> points) {
     finer.cornerEdges = finer.ownCornerEdges;
     finer.edges = numbers.count();
     finer.valences = level.valences;
+    finer.creases =
+        halvedCreases(level, static_cast<std::uint32_t>(level.points.size()), numbers);
     finer.boundary = halvedBoundary(
         level.boundary,
         [](std::uint32_t corner) { return 12 * (corner / 3) + 3 * (corner % 3); },

@@ -50,7 +50,9 @@ std::vector<std::uint32_t> triangleIndices(const Mesh& mesh) {
 
 Result<Mesh> triangulated(const Mesh& mesh) {
     if (mesh.uniformSize() == 3) return mesh;
-    return Mesh::make({mesh.points().begin(), mesh.points().end()}, triangleIndices(mesh), 3);
+    auto cut = Mesh::make({mesh.points().begin(), mesh.points().end()}, triangleIndices(mesh), 3);
+    if (!cut || mesh.creases().empty()) return cut;
+    return cut->withTrustedCreases({mesh.creases().begin(), mesh.creases().end()});
 }
 
 }  // namespace knotwork

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,8 +34,21 @@ constexpr std::array verticesFields{
 
 // ---- Solids and OBJ ----------------------------------------------------------------------------
 
+/// The specification with the creases that are asked for.
+Result<Made<Mesh>> creased(Made<Mesh> made, const Json& given) {
+    const Json* list = member(given, "creases");
+    if (list == nullptr) return made;
+    auto mesh = withCreases(made.value, *list);
+    if (!mesh) return mesh.error();
+    made.value = std::move(*mesh);
+    if (!made.value.creases().empty()) made.spec["creases"] = describeCreases(made.value);
+    return made;
+}
+
 Result<Made<Mesh>> makeNamed(const Json& given) {
-    auto spec = readGroup(given, solidFields);
+    Json rest = given;
+    rest.erase("creases");
+    auto spec = readGroup(rest, solidFields);
     if (!spec) return spec.error();
     const std::string name = stringOr(*spec, "solid", "");
     const std::vector<NamedValue> parameters = namedValues(*member(*spec, "parameters"));
@@ -45,7 +59,7 @@ Result<Made<Mesh>> makeNamed(const Json& given) {
         canonical["parameters"][std::string(parameter.name)] =
             numberOr((*spec)["parameters"], parameter.name, parameter.defaultValue);
     }
-    return Made<Mesh>{std::move(canonical), std::move(*mesh)};
+    return creased({std::move(canonical), std::move(*mesh)}, given);
 }
 
 Result<Made<Mesh>> makeFromObj(const Json& given) {
@@ -116,6 +130,7 @@ std::vector<Vec3> pointsOf(const Json& list) {
 Result<Made<Mesh>> makeExplicit(const Json& given) {
     Json rest = given;
     rest.erase("faces");
+    rest.erase("creases");
     const auto spec = readGroup(rest, verticesFields);
     if (!spec) {
         Error error = spec.error();
@@ -135,10 +150,91 @@ Result<Made<Mesh>> makeExplicit(const Json& given) {
                            std::move(faces->starts));
     if (!mesh) return mesh.error();
     Json canonical = specOf(*mesh);
-    return Made<Mesh>{std::move(canonical), std::move(*mesh)};
+    return creased({std::move(canonical), std::move(*mesh)}, given);
+}
+
+// ---- Creases -----------------------------------------------------------------------------------
+
+Error wrongCrease(Code code, std::string path, const Json& given, const std::string& wanted) {
+    return refuse(code, std::move(path), wanted + ", not " + describeValue(given) + ".");
+}
+
+Result<std::uint32_t> readEnd(const Json& given, std::string path) {
+    const std::string wanted = "An edge names two vertices by their numbers";
+    if (!given.is_number()) return wrongCrease(Code::wrongType, std::move(path), given, wanted);
+    const double index = given.get<double>();
+    if (!std::isfinite(index)) return wrongCrease(Code::notFinite, std::move(path), given, wanted);
+    if (index != std::floor(index)) {
+        return wrongCrease(Code::notInteger, std::move(path), given, wanted);
+    }
+    if (index < 0 || index > maxMeshVertices) {
+        return wrongCrease(Code::outOfRange, std::move(path), given, wanted);
+    }
+    return static_cast<std::uint32_t>(index);
+}
+
+Result<double> readSharpness(const Json& crease, std::string path) {
+    const std::string wanted = "A crease has a sharpness, a number up to 10 or \"infinite\"";
+    const Json* given = member(crease, "sharpness");
+    if (given == nullptr) return refuse(Code::wrongType, std::move(path), wanted + ".");
+    if (*given == "infinite") return std::numeric_limits<double>::infinity();
+    if (!given->is_number()) return wrongCrease(Code::wrongType, std::move(path), *given, wanted);
+    const double sharpness = given->get<double>();
+    if (!std::isfinite(sharpness)) {
+        return wrongCrease(Code::notFinite, std::move(path), *given, wanted);
+    }
+    return sharpness;
+}
+
+Result<MeshCrease> readCrease(const Json& given, const std::string& path) {
+    if (!given.is_object()) {
+        return wrongCrease(Code::wrongType, path, given, "A crease is { edge, sharpness }");
+    }
+    for (const auto& item : given.items()) {
+        if (item.key() == "edge" || item.key() == "sharpness") continue;
+        return refuse(Code::unknownField, path + "." + item.key(),
+                      "A crease has no field \"" + item.key() + "\"; it has edge and sharpness.");
+    }
+    const Json* edge = member(given, "edge");
+    if (edge == nullptr || !edge->is_array() || edge->size() != 2) {
+        return wrongCrease(Code::wrongType, path + ".edge", edge == nullptr ? Json() : *edge,
+                           "A crease has an edge, the numbers of two vertices");
+    }
+    const auto v0 = readEnd((*edge)[0], path + ".edge[0]");
+    if (!v0) return v0.error();
+    const auto v1 = readEnd((*edge)[1], path + ".edge[1]");
+    if (!v1) return v1.error();
+    const auto sharpness = readSharpness(given, path + ".sharpness");
+    if (!sharpness) return sharpness.error();
+    return MeshCrease{*v0, *v1, *sharpness};
 }
 
 }  // namespace
+
+Result<Mesh> withCreases(const Mesh& mesh, const Json& list) {
+    if (!list.is_array()) {
+        return wrongCrease(Code::wrongType, "creases", list,
+                           "A mesh has a list of creases, each { edge, sharpness }");
+    }
+    std::vector<MeshCrease> creases;
+    creases.reserve(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const auto crease = readCrease(list[i], indexed("creases", i));
+        if (!crease) return crease.error();
+        creases.push_back(*crease);
+    }
+    return mesh.withCreases(std::move(creases));
+}
+
+Json describeCreases(const Mesh& mesh) {
+    Json list = Json::array();
+    for (const MeshCrease& crease : mesh.creases()) {
+        const Json sharpness =
+            std::isfinite(crease.sharpness) ? Json(crease.sharpness) : Json("infinite");
+        list.push_back({{"edge", Json::array({crease.v0, crease.v1})}, {"sharpness", sharpness}});
+    }
+    return list;
+}
 
 Result<Made<Mesh>> makeMesh(const Json& spec) {
     if (!spec.is_object()) {
@@ -161,7 +257,9 @@ Json specOf(const Mesh& mesh) {
         for (const std::uint32_t v : mesh.faces()[f]) face.emplace_back(v);
         faces.emplace_back(std::move(face));
     }
-    return {{"vertices", std::move(vertices)}, {"faces", std::move(faces)}};
+    Json spec{{"vertices", std::move(vertices)}, {"faces", std::move(faces)}};
+    if (!mesh.creases().empty()) spec["creases"] = describeCreases(mesh);
+    return spec;
 }
 
 Json describeSolids() {

@@ -28,7 +28,8 @@ Result<Body> buildSubdivisionSurface(Json& spec) {
     auto refined = subdivide(control->value, scheme, levels);
     if (!refined) {
         const Error& error = refined.error();
-        return error.path == "levels" ? error : error.under("mesh");
+        const bool own = error.path == "levels" || error.path == "scheme";
+        return own ? error : error.under("mesh");
     }
     return Body(SubdivisionSurface{scheme, levels, std::move(control->value), std::move(*refined)});
 }

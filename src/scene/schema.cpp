@@ -1,6 +1,7 @@
 // References: JSON Schema, draft 2020-12 (json-schema.org).
 #include "scene/schema.hpp"
 
+#include "geometry/mesh.hpp"
 #include "scene/fields.hpp"
 
 #include <cmath>
@@ -182,14 +183,27 @@ Json meshSchema() {
     const Json text{{"type", "string"}};
     const Json numbers{{"type", "object"}, {"additionalProperties", {{"type", "number"}}}};
     const Json index{{"type", "integer"}, {"minimum", 0}};
+    const Json sharpness{
+        {"anyOf",
+         {Json{{"type", "number"}, {"exclusiveMinimum", 0}, {"maximum", maxSharpness}},
+          Json{{"const", "infinite"}}}}};
+    Json edge = listOf(index);
+    edge["minItems"] = edge["maxItems"] = 2;
+    const Json creases = described(
+        "Creases", "Edges that stay sharp for so many levels, or for ever.",
+        listOf(only({{"edge", described("Edge", "The two vertices that it joins.", edge)},
+                     {"sharpness", described("Sharpness", "For how many levels.", sharpness)}},
+                    Json::array({"edge", "sharpness"}))));
     return {{"anyOf",
              {only({{"solid", described("Solid", "The name of a solid such as \"cube\".", text)},
-                    {"parameters", described("Parameters", "The numbers of its faces.", numbers)}},
+                    {"parameters", described("Parameters", "The numbers of its faces.", numbers)},
+                    {"creases", creases}},
                    Json::array({"solid"})),
               only({{"vertices", described("Vertices", "The points of the mesh.",
                                            listOf(tuple(2, 3)))},
                     {"faces", described("Faces", "The vertices of each, counted from 0.",
-                                        listOf(listOf(index)))}},
+                                        listOf(listOf(index)))},
+                    {"creases", creases}},
                    Json::array({"vertices", "faces"})),
               only({{"obj", described("OBJ", "The text of an OBJ file.", text)}},
                    Json::array({"obj"}))}}};

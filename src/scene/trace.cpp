@@ -141,6 +141,10 @@ Result<Trace> catmullClarkOf(const Json& given) {
     if (!arguments) return arguments.error();
     const auto mesh = makeMesh(*spec);
     if (!mesh) return mesh.error().under("mesh");
+    if (!mesh->value.creases().empty()) {
+        return refuse(Code::notSupported, "mesh.creases",
+                      "The steps shown are those of a mesh without creases; leave them out.");
+    }
     return traceCatmullClark(mesh->value, static_cast<int>(numberOr(*arguments, "levels", 1)));
 }
 
