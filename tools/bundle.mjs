@@ -2,6 +2,7 @@
 import { cp, mkdir, readdir, rm } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 
+import { writeGallery } from './bundle/gallery.mjs';
 import { bundleModules } from './bundle/modules.mjs';
 import { distribution, project } from './bundle/paths.mjs';
 import { writeSchema } from './bundle/schema.mjs';
@@ -23,5 +24,7 @@ async function copyWasm() {
 await rm(distribution(), { recursive: true, force: true });
 await mkdir(distribution(), { recursive: true });
 await Promise.all([copyStaticFiles(), copyWasm(), bundleModules()]);
-await writeSchema(pathToFileURL(distribution('knotwork.mjs')));
+const facade = pathToFileURL(distribution('knotwork.mjs'));
+await writeSchema(facade);
+await writeGallery(facade);
 await writeStandalone();
