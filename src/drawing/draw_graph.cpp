@@ -1,7 +1,9 @@
-// The graph of a proposed B-function over its square.
+// The graph of a proposed B-function over its square, and under it which of the axioms hold.
 #include "drawing/sketch.hpp"
 
-#include <cmath>
+#include "geometry/b_function_axioms.hpp"
+
+#include <string>
 
 namespace knotwork::drawing {
 
@@ -19,10 +21,30 @@ void drawSquare(Sketch& sketch, const scene::FunctionGraph& graph) {
     }
 }
 
+/// D1 ✓  D2 ✓  D3 ✗ …; the first says what the next three say, and more.
+std::string checklist(const AxiomBreaches& breaches) {
+    std::string text;
+    for (std::size_t k = 0; k < breaches.size(); ++k) {
+        const bool broken =
+            k == 0 ? breaches[0] || breaches[1] || breaches[2] || breaches[3] : breaches[k].has_value();
+        text += (k == 0 ? "" : "  ") + std::string(axiomNames[k]) + (broken ? " ✗" : " ✓");
+    }
+    return text;
+}
+
+void drawChecklist(Sketch& sketch, const scene::FunctionGraph& graph) {
+    Shape& label = sketch.add(Role::label, Kind::label, 0);
+    append(label, graph.at + graph.size * Vec3(0.5, 0, 0));
+    constexpr float below = 16;  // CSS pixels
+    label.offset = {0, below};
+    label.text = checklist(graph.candidate.breaches());
+}
+
 }  // namespace
 
 void drawGraphFigure(Sketch& sketch, const scene::FunctionGraph& graph) {
     if (sketch.show().polygon) drawSquare(sketch, graph);
+    if (sketch.show().labels) drawChecklist(sketch, graph);
     if (!sketch.show().curve) return;
     const auto width = static_cast<float>(sketch.object().style.width);
     Shape* line = nullptr;

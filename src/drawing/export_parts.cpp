@@ -15,6 +15,7 @@ namespace {
 
 constexpr double curveShare = 1e-4;
 constexpr double surfaceShare = 1e-3;
+constexpr std::size_t graphChords = 256;
 
 /// The normals of a surface under a map: the matrix of its cofactors.
 Mat3 cofactors(const Mat3& m) noexcept {
@@ -43,6 +44,7 @@ private:
         if (body.curve() != nullptr) return curve(placed, *body.curve());
         if (body.surface() != nullptr) return surface(placed, *body.surface());
         if (body.subdivision() != nullptr) mesh(placed, body.subdivision()->refined);
+        if (body.graph() != nullptr) graph(placed, *body.graph());
         if (body.cloud() == nullptr) return Done{};
         points(placed, body.cloud()->points);
         return body.cloud()->fit ? curve(placed, body.cloud()->fit->curve) : Done{};
@@ -77,6 +79,20 @@ private:
             parts_.back().parameters.push_back(line->parameters[i]);
         }
         return Done{};
+    }
+
+    /// As far as the function has values.
+    void graph(const scene::Placed& placed, const scene::FunctionGraph& graph) {
+        bool going = false;
+        for (std::size_t i = 0; i <= graphChords; ++i) {
+            const double t = uniformParameter({0, 1}, i, graphChords + 1);
+            const double value = graph.candidate.value(t);
+            if (std::isfinite(value) && !going) begin(placed, ExportPart::Kind::line);
+            going = std::isfinite(value);
+            if (!going) continue;
+            place(parts_.back(), placed, graph.at + graph.size * Vec3(t, value, 0));
+            parts_.back().parameters.push_back(t);
+        }
     }
 
     void points(const scene::Placed& placed, const std::vector<Vec3>& points) {

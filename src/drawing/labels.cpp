@@ -1,4 +1,5 @@
 #include "drawing/annotations.hpp"
+#include "drawing/letters.hpp"
 
 #include <algorithm>
 #include <array>
@@ -102,13 +103,6 @@ private:
     std::vector<std::array<Spot, 2>> segments_;
     std::vector<Box> labels_;
 };
-
-/// A letter a code point.
-std::size_t lettersIn(std::string_view text) noexcept {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
-    }));
-}
 
 double pixelOf(const Sketch& sketch) noexcept {
     if (sketch.options().pixel > 0) return sketch.options().pixel;

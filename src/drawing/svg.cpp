@@ -16,6 +16,9 @@ namespace knotwork::drawing {
 namespace {
 
 constexpr double lineTolerance = 0.1;   // pixels
+/// Of pictures with surfaces, whose triangles would take megabytes otherwise. Curves are drawn
+/// from what they are, and do not suffer.
+constexpr double surfaceTolerance = 3;
 constexpr double leastRounding = 1e-3;  // pixels: nobody sees less
 constexpr double shareRounding = 5e-7;  // of the smaller side
 
@@ -82,6 +85,13 @@ double pixelSize(const scene::State& state, const SvgOptions& options) {
     return roughSize(state, options.moment) / std::max(options.width, options.height);
 }
 
+double toleranceOf(const scene::State& state) noexcept {
+    const bool surfaces = std::any_of(
+        state.objects.begin(), state.objects.end(),
+        [](const auto& object) { return object->body.surface() != nullptr; });
+    return surfaces ? surfaceTolerance : lineTolerance;
+}
+
 std::string matrixText(const Affine& screen) {
     const auto& m = screen.linear;
     scene::Json numbers{m[0][0], m[0][1], m[1][0], m[1][1], screen.offset.x, screen.offset.y};
@@ -120,14 +130,14 @@ void background(XmlWriter& xml, const SvgOptions& options) {
 
 std::string svg(const scene::State& state, const SvgOptions& options) {
     const Drawing drawing = draw(state, {.moment = options.moment,
-                                         .tolerance = lineTolerance * pixelSize(state, options),
+                                         .tolerance = toleranceOf(state) * pixelSize(state, options),
                                          .dark = svgColours(options.theme).dark});
     const Orientation orientation = orientationOf(state);
     const Bounds bounds = seenBounds(drawing, orientation);
     const SvgLayout layout = svgLayout({0, 0, options.width, options.height}, drawing, options.panes);
     const Frame& frame = layout.curve;
     const Aim aim = cameraAim(state, orientation, bounds, frame).value_or(aimAt(bounds, frame));
-    const PanePicture picture{Pane::curve, screenOf(orientation, aim, frame), options.theme, -1, -1};
+    const PanePicture picture{Pane::curve, screenOf(orientation, aim, frame), options.theme, -1, -1, frame};
 
     XmlWriter xml(decimalsFor(options));
     beginPicture(xml, state, options);

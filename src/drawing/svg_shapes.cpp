@@ -1,6 +1,7 @@
 #include "drawing/svg_shapes.hpp"
 
 #include "drawing/curve_path.hpp"
+#include "drawing/letters.hpp"
 #include "drawing/svg_solid.hpp"
 #include "drawing/svg_theme.hpp"
 
@@ -220,6 +221,20 @@ private:
         }
     }
 
+    /// The middle of a text, moved so that all of the text is in the picture.
+    [[nodiscard]] Vec3 inFrame(Vec3 middle, const std::string& text) const noexcept {
+        const Frame& frame = picture_.frame;
+        const double width = 0.3 * fontSize * static_cast<double>(lettersIn(text));
+        const double height = 0.6 * fontSize;
+        if (frame.width > 2 * width) {
+            middle.x = std::clamp(middle.x, frame.x + width, frame.x + frame.width - width);
+        }
+        if (frame.height > 2 * height) {
+            middle.y = std::clamp(middle.y, frame.y + height, frame.y + frame.height - height);
+        }
+        return middle;
+    }
+
     /// Words with a rim of the ground's colour, so that they can be read on lines.
     void labels(std::size_t first, std::size_t last) {
         xml_.attribute("fill", colours_.ink).attribute("stroke", colours_.ground);
@@ -229,12 +244,12 @@ private:
         for (std::size_t i = first; i < last; ++i) {
             const Shape& shape = drawing_.shapes[i];
             if (shape.positions.size() < 3) continue;
-            const Vec3 p = at(shape, 0);
             // The middle of the letters, not their baseline, is where the label is.
             constexpr double baseline = 0.35 * fontSize;
-            xml_.begin("text").number("x", p.x + static_cast<double>(shape.offset[0]));
-            xml_.number("y", p.y + static_cast<double>(shape.offset[1]) +
-                                 (shape.offset[1] != 0 || shape.offset[0] != 0 ? baseline : 0));
+            const bool beside = shape.offset[1] != 0 || shape.offset[0] != 0;
+            const Vec3 p = inFrame(at(shape, 0) + Vec3(shape.offset[0], shape.offset[1], 0),
+                                   shape.text);
+            xml_.begin("text").number("x", p.x).number("y", p.y + (beside ? baseline : 0));
             xml_.text(shape.text);
         }
     }

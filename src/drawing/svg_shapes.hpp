@@ -1,6 +1,7 @@
 // The shapes of a pane as SVG.
 #pragma once
 
+#include "drawing/screen.hpp"
 #include "drawing/svg.hpp"
 #include "drawing/xml.hpp"
 
@@ -13,6 +14,7 @@ struct PanePicture {
     SvgTheme theme = SvgTheme::light;
     int object = -1;  ///< only this one, or all
     int index = -1;   ///< only the shapes with this index, or all
+    Frame frame = {};  ///< in which labels stay; empty: anywhere
 
     [[nodiscard]] bool shows(const Shape& shape) const noexcept {
         return shape.pane == pane && (object < 0 || shape.object == object) &&

@@ -55,11 +55,11 @@ test('the specification of a mesh with creases makes it again', () => {
 test('a subdivision surface of a scene keeps its creases', () => {
     const object = (scheme, creases) => ({ type: 'subdivision-surface', scheme, levels: 1, mesh: { solid: 'cube', creases } });
     const creases = allEdges(cube(), 'infinite');
-    const scene = kw.scene({ objects: [object('catmull-clark', creases)] });
+    const scene = kw.scene({ knotwork: 1, objects: [object('catmull-clark', creases)] });
     assert.deepEqual(scene.document.objects[0].mesh.creases, creases);
     scene.dispose();
-    refuses(() => kw.scene({ objects: [object('doo-sabin', creases)] }), 'NOT_SUPPORTED', 'objects[0].scheme');
-    refuses(() => kw.scene({ objects: [object('catmull-clark', [{ edge: [0, 9], sharpness: 1 }])] }),
+    refuses(() => kw.scene({ knotwork: 1, objects: [object('doo-sabin', creases)] }), 'NOT_SUPPORTED', 'objects[0].scheme');
+    refuses(() => kw.scene({ knotwork: 1, objects: [object('catmull-clark', [{ edge: [0, 9], sharpness: 1 }])] }),
         'OUT_OF_RANGE', 'objects[0].mesh.creases[0].edge');
     refuses(() => kw.trace({ algorithm: 'catmull-clark', mesh: { solid: 'cube', creases } }), 'NOT_SUPPORTED', 'mesh.creases');
 });

@@ -1,5 +1,6 @@
 // Part 8 of the interface: scenes, their commands, their history and their drawings.
 import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 
 import { load, near, randomness, refuses, tolerances } from './support.mjs';
@@ -56,14 +57,22 @@ test('an object of a scene is the curve of the same words', () => {
     assert.deepEqual(kw.curve(open().document.objects[0]).sample(9), curve.sample(9));
 });
 
+/** Those that are promised. */
+const expectedScenes = [
+    'bspline-forms', 'local-control', 'basis-functions', 'factor-matrices', 'knot-insertion', 'oslo', 'fit', 'b-functions',
+    'b-function-axioms', 'blending-curve', 'blending-compare', 'bspline-model', 'blending-subdivision', 'lane-riesenfeld',
+    'subdivision-surfaces', 'blending-surface', 'butterfly', 'rose', 'petals', 'surrounding-sphere',
+];
+
 test('every built-in scene opens, draws and is its own canonical document', () => {
     const ids = kw.scenes.map(({ id }) => id);
-    for (const id of ['butterfly', 'bspline-forms', 'b-functions']) assert.ok(ids.includes(id), id);
+    assert.equal(new Set(ids).size, ids.length);
+    for (const id of expectedScenes) assert.ok(ids.includes(id), id);
     for (const { id, title, description, document } of kw.scenes) {
         assert.ok(title.length > 0 && description.length > 0, id);
         const scene = kw.scene(document);
         const { bounds, shapes } = scene.drawing();
-        assert.ok(shapes.length > 0 && shapes.some(({ role }) => role === 'curve'), id);
+        assert.ok(shapes.some(({ role }) => role === 'curve' || role === 'surface'), id);
         for (const shape of shapes) {
             assert.ok(shape.positions instanceof Float64Array);
             assert.ok(shape.positions.length % 3 === 0 && shape.positions.every(Number.isFinite), `${id} ${shape.role}`);
@@ -374,4 +383,17 @@ test('the scene of B-functions uses the one that is chosen', () => {
     assert.notDeepEqual(graph(), before);
     const positions = graph();
     for (let i = 0; i < positions.length; i += 3) near(positions[i + 1], positions[i], 1e-9);
+});
+
+test('every built-in scene has a title and a description in each language, and a picture in both themes', async () => {
+    const { scenes } = JSON.parse(await readFile(new URL('../../web/locales/nb.json', import.meta.url), 'utf8'));
+    assert.deepEqual(Object.keys(scenes), kw.scenes.map(({ id }) => id));
+    for (const { id, title, description } of kw.scenes) {
+        assert.ok(scenes[id].title && scenes[id].description.length > 40 && description.length > 40, id);
+        assert.ok(title.length > 3, id);
+        for (const name of [`${id}.svg`, `${id}.dark.svg`]) {
+            const picture = await readFile(new URL(`../../dist/gallery/${name}`, import.meta.url), 'utf8');
+            assert.ok(picture.startsWith('<svg') && picture.length > 1000 && picture.length < 1_000_000, `${name} ${picture.length}`);
+        }
+    }
 });
