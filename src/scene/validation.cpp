@@ -163,6 +163,8 @@ void addUnknown(Checked& group, const Json& given, std::span<const Field> fields
 std::optional<Json> defaultOf(const Field& field) {
     if (field.defaultNumber) return Json(*field.defaultNumber);
     if (field.defaultJson.empty()) return std::nullopt;
+    // An object has twenty flags and more, and a document a thousand objects.
+    if (field.kind == FieldKind::flag) return Json(field.defaultJson == "true");
     return *parseJson(field.defaultJson);
 }
 

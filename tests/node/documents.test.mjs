@@ -188,13 +188,19 @@ const harmful = {
     'versions of all kinds': () => ({ knotwork: { valueOf: 1 } }),
 };
 
+/** Milliseconds of this process's own that have passed: others on the machine do not count. */
+const ownTime = () => {
+    const { user, system } = process.cpuUsage();
+    return (user + system) / 1000;
+};
+
 /** Milliseconds of the quickest of three. */
 function quickest(act) {
     let least = Infinity;
     for (let i = 0; i < 3; ++i) {
-        const start = performance.now();
+        const start = ownTime();
         act();
-        least = Math.min(least, performance.now() - start);
+        least = Math.min(least, ownTime() - start);
     }
     return least;
 }
@@ -224,9 +230,9 @@ test('links that mean harm are refused in good time', async () => {
     ]) {
         let least = Infinity;
         for (let i = 0; i < 3; ++i) {
-            const start = performance.now();
+            const start = ownTime();
             await assert.rejects(kw.decodeLink(text), KnotworkError);
-            least = Math.min(least, performance.now() - start);
+            least = Math.min(least, ownTime() - start);
         }
         assert.ok(least < 100, `${text.slice(0, 40)}: ${least} ms`);
     }

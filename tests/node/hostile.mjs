@@ -25,6 +25,7 @@ export const wrong = {
     integer: [undefined, ...primitives, ...objects, ...numbersAmiss, 0.5, 2 ** 32 + 5, -(2 ** 31) - 1, 2 ** 53, 1e300],
     string: noTexts,
     scheme: [...noTexts, '', 'right'],
+    format: [...noTexts, '', 'loop', 'constructor'],
     boolean: [undefined, null, '', 'true', 0, 1, NaN, 1n, Symbol('s'), ...objects],
     list: [undefined, ...primitives, 0, 0.5, NaN, {}, { length: 2, 0: 1, 1: 2 }, () => [], new Set([1]), new Int32Array(3), revoked(), new Proxy([], { get: hostile })],
     object: [undefined, ...primitives, 0, 0.5, NaN, [], [1], () => ({}), new Map(), new Date(0), new Float64Array(3), revoked()],
@@ -147,6 +148,11 @@ const surface = {
     triangles: [{ tolerance: 'number' }], isoline: ['string', 'number', { count: 'integer', tolerance: 'number' }],
 };
 
+const picture = {
+    phase: 'number', time: 'number', width: 'number', height: 'number', theme: 'string', title: 'string', description: 'string',
+    background: 'string', panes: 'list',
+};
+
 /**
  * The arguments of every method, by kind; a name with `?` may be left out, an object lists options.
  * @type {Record<string, Record<string, unknown[]>>}
@@ -181,6 +187,7 @@ export const methods = {
     BlendingTriangle: { ...surface, local: ['integer'], weights: ['number', 'number'] },
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'], select: ['list'],
+        svg: [picture], exportAs: ['format', picture],
     },
 };
 
@@ -214,7 +221,7 @@ export function refusalOf(act) {
 
 /** A valid argument of each kind, for the places before the wrong one. */
 export const valid = {
-    number: 0.25, integer: 1, list: [0.25, 0.5], object: { translate: [1, 0] }, string: 'right', scheme: 'loop',
+    number: 0.25, integer: 1, list: [0.25, 0.5], object: { translate: [1, 0] }, string: 'right', scheme: 'loop', format: 'svg',
     into: undefined,
 };
 
