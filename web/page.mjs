@@ -96,8 +96,11 @@ class Page {
     }
 
     #listScenes() {
+        // A link with nothing but a fragment, before the first that leads away, passes for one that
+        // skips to a place of the page.
+        const here = `${location.pathname}${location.search}`;
         byId('scenes').replaceChildren(...this.scenes.map(({ id, title }) => el('a', {
-            text: this.words.scene(id, 'title', title), attributes: { href: `#${id}` },
+            text: this.words.scene(id, 'title', title), attributes: { href: `${here}#${id}` },
         })));
     }
 

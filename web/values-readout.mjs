@@ -39,6 +39,10 @@ export class Readout {
 
     /** @param {any} object as the canonical document has it */
     update(object) {
+        const { type } = object;
+        // Only curves have one parameter.
+        this.element.hidden = !type.endsWith('-curve');
+        if (this.element.hidden) return;
         this.#object = object;
         this.#refresh();
     }

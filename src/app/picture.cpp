@@ -61,6 +61,10 @@ void addOther(drawing::Bounds& bounds, const scene::Placed& placed) {
             addPoints(bounds, placed.placement, mesh->control.points());
         }
     }
+    if (const auto* graph = placed.body.graph()) {
+        bounds.add(placed.placement.point(graph->at));
+        bounds.add(placed.placement.point(graph->at + graph->size * Vec3(1, 1, 0)));
+    }
     if (const auto* cloud = placed.body.cloud()) {
         addPoints(bounds, placed.placement, cloud->points);
         if (cloud->fit) addCurve(bounds, placed.placement, cloud->fit->curve);

@@ -44,6 +44,10 @@ Bounds roughBounds(const scene::State& state, const scene::Moment& moment) {
         if (body.subdivision() != nullptr) {
             addPoints(bounds, body.subdivision()->control.points(), placed.placement);
         }
+        if (const auto* graph = body.graph()) {
+            bounds.add(placed.placement.point(graph->at));
+            bounds.add(placed.placement.point(graph->at + graph->size * Vec3(1, 1, 0)));
+        }
         if (body.cloud() != nullptr) addPoints(bounds, body.cloud()->points, placed.placement);
     }
     return bounds;

@@ -26,7 +26,7 @@ const scenes = [['bspline-forms', 'B-spline: three forms'], ['b-functions', 'B-f
 
 /** Goes to a scene by its link. */
 async function choose(page, id, title) {
-    await page.locator(`#scenes a[href="#${id}"]`).click();
+    await page.locator(`#scenes a[href$="#${id}"]`).click();
     await page.waitForFunction((text) => document.querySelector('h1').textContent === text, title);
     await settle(page);
 }
