@@ -98,7 +98,7 @@ class Page {
     #listScenes() {
         // A link with nothing but a fragment, before the first that leads away, passes for one that
         // skips to a place of the page.
-        const here = `${location.pathname}${location.search}`;
+        const [here] = location.href.split('#', 1);
         byId('scenes').replaceChildren(...this.scenes.map(({ id, title }) => el('a', {
             text: this.words.scene(id, 'title', title), attributes: { href: `${here}#${id}` },
         })));
