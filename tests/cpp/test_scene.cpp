@@ -16,18 +16,7 @@ namespace {
 using test::expectDone;
 using test::expectRefused;
 using test::json;
-
-constexpr const char* twoObjects = R"({
-    "knotwork": 1, "title": "Two",
-    "objects": [
-        {"type": "bspline-curve", "degree": 2, "points": [[0,0],[1,2],[3,3],[5,0],[6,2]],
-         "knots": [0,0,0,1,3,4,4,4]},
-        {"id": "blend", "type": "blending-curve", "bFunction": {"family": "expo-rational"},
-         "model": {"type": "parametric-curve", "name": "circle"}, "locals": {"count": 5}}],
-    "effects": [{"target": "blend", "kind": "simulate", "rotate": {"angle": 1}, "seed": 3},
-                {"target": "c1", "kind": "colour", "to": "#FFcc00", "period": 2.5}]})";
-
-Scene twoScene() { return Scene::open(json(twoObjects)).value(); }
+using test::twoScene;
 
 const Json& object(const Scene& scene, std::size_t i) { return scene.state().objects[i]->spec; }
 
