@@ -90,6 +90,15 @@ test('no test is skipped or left for later', () => {
     assert.deepEqual(found, []);
 });
 
+test('every fuzz target has its seeds, and every folder of seeds its target', () => {
+    const targets = readdirSync(path.join(root, 'tests/fuzz'))
+        .filter((name) => name.endsWith('.cpp'))
+        .map((name) => name.replace(/\.cpp$/, ''));
+    const corpus = path.join(root, 'tests/fuzz/corpus');
+    assert.deepEqual(readdirSync(corpus).sort(), targets.sort());
+    for (const name of targets) assert.ok(readdirSync(path.join(corpus, name)).length > 0, name);
+});
+
 test('every mistake that ./dev mutants plants has its one place and its test', () => {
     const tests = textFiles('tests/cpp').map(read).join('\n');
     for (const { name, file, find, replace, test: sentence } of mutants) {

@@ -26,7 +26,7 @@ fuzz_briefly() {
 
 say_how_to_replay() { # from the log of a run that failed
     sed -n 's/^Does not hold: /  does not hold: /p; s/^\(Base64: .*\)/  \1/p' "$1"
-    sed -n 's|.*Test unit written to \(build/fuzz/crashes/\([a-z]*\)-.*\)|  ./dev fuzz \2 \1   runs it again|p' "$1"
+    sed -n 's|.*Test unit written to \(build/fuzz/crashes/\([a-z_]*\)-.*\)|  ./dev fuzz \2 \1   runs it again|p' "$1"
 }
 
 fuzz_suite() {
