@@ -9,26 +9,36 @@ import { adopt } from './curve.mjs';
 const residualsStart = 5;
 
 /**
- * The curve that Session::fit or Session::interpolate made, and what it left besides.
+ * The curve that a call has made, and what it left besides. Parameters that were given are answered
+ * as they are: a copy would cost a third of a fit.
  * @param {Core} core
- * @param {number} handle
+ * @param {'fit' | 'interpolate'} name
+ * @param {any} request
  */
-function answer(core, handle) {
-    const curve = adopt(core, handle);
+function made(core, name, request) {
+    const curve = adopt(core, core.ask(name, core.send(request)));
     const [sumOfSquares, rms, max, count] = core.block(residualsStart, 4);
+    return { curve, parameters: count > 0 ? found(core, count) : numbers(request.parameters), residuals: { sumOfSquares, rms, max } };
+}
+
+/** @param {Core} core @param {number} count */
+function found(core, count) {
     const parameters = core.bulk(count);
     core.call('dropBulk');
-    return { curve, parameters, residuals: { sumOfSquares, rms, max } };
+    return parameters;
 }
+
+/** @param {ArrayLike<number>} list */
+const numbers = (list) => (list instanceof Float64Array ? list : Float64Array.from(list));
 
 /** The B-spline curve nearest to points. @param {Core} core @param {unknown} request */
 export function fit(core, request) {
-    return answer(core, core.ask('fit', core.send(request)));
+    return made(core, 'fit', request);
 }
 
 /** The B-spline curve through points. @param {Core} core @param {unknown} request */
 export function interpolate(core, request) {
-    return answer(core, core.ask('interpolate', core.send(request)));
+    return made(core, 'interpolate', request);
 }
 
 /**

@@ -591,7 +591,7 @@ export interface FitRequest extends InterpolationRequest {
 
 export interface Fit {
     curve: BsplineCurve;
-    /** One a point. */
+    /** One a point: those that were given (the array itself if it is a Float64Array), or found. */
     parameters: Float64Array;
     /** Of the distances between the points and the curve at their parameters. */
     residuals: { sumOfSquares: number; rms: number; max: number };

@@ -176,7 +176,8 @@ public:
     void dropSubdivision();
 
     // Points. A fit leaves in block, after the traits of its curve: sum of squares, root of the
-    // mean square and largest of the residuals, and how many parameters there are; bulk: those.
+    // mean square and largest of the residuals, and how many parameters were found (none where
+    // they were given); bulk: those.
     [[nodiscard]] int fit(unsigned bytes);
     [[nodiscard]] int interpolate(unsigned bytes);
     /// block: centre and radius.
@@ -300,7 +301,7 @@ private:
     [[nodiscard]] const BlendingCurve* findBlending(int handle);
     /// The local curve, or nothing (and OUT_OF_RANGE `j` in error()).
     [[nodiscard]] std::optional<std::size_t> findLocal(const BlendingCurve& curve, int local);
-    int holdFit(Fit fit, LongList<double> given);
+    int holdFit(Fit fit);
     int leave(std::vector<double> numbers, std::size_t count);
     /// Moves the first `count` of parameters() into the curve's domain; false, and a refusal that
     /// names `ts[first + i]`, where one lies outside.
@@ -314,7 +315,7 @@ private:
     std::array<double, blockPoints> parameters_{};
     std::array<std::int32_t, blockPoints> integers_{};
     std::vector<double> bulk_;
-    const double* list_ = nullptr;  ///< bulk_, or numbers that a value or the input holds
+    const double* list_ = nullptr;  ///< bulk_, or numbers that a value holds
     std::vector<std::uint32_t> bulkIndices_;
     std::string text_;
     MeshRoom meshRoom_;

@@ -7,16 +7,14 @@
 namespace knotwork::bindings {
 
 /// Parameters that were given are left where they crossed, or where they were copied to.
-int Session::holdFit(Fit fit, LongList<double> given) {
+int Session::holdFit(Fit fit) {
     const int handle = holdCurve({Curve(std::move(fit.curve)), std::nullopt, std::nullopt, {}});
     block_[curveTraits] = fit.residuals.sumOfSquares;
     block_[curveTraits + 1] = fit.residuals.rms;
     block_[curveTraits + 2] = fit.residuals.max;
-    const bool own = fit.parameters.empty();
-    const std::span<const double> parameters = own ? given.all : fit.parameters;
-    bulk_ = own ? std::move(given.copy) : std::move(fit.parameters);
-    list_ = parameters.data();
-    block_[curveTraits + 3] = static_cast<double>(parameters.size());
+    bulk_ = std::move(fit.parameters);
+    list_ = bulk_.data();
+    block_[curveTraits + 3] = static_cast<double>(bulk_.size());
     return handle;
 }
 
@@ -26,7 +24,7 @@ int Session::fit(unsigned bytes) {
     if (!input) return refuse(input.error());
     auto fit = fitCurve(input->points.all, std::move(input->request));
     if (!fit) return refuse(placedInFit(fit.error(), given));
-    return holdFit(std::move(*fit), std::move(input->parameters));
+    return holdFit(std::move(*fit));
 }
 
 int Session::interpolate(unsigned bytes) {
@@ -37,7 +35,7 @@ int Session::interpolate(unsigned bytes) {
     auto fit = interpolateCurve(input->points.all, request.degree, request.form,
                                 request.parameters);
     if (!fit) return refuse(placedInInterpolation(fit.error(), given));
-    return holdFit(std::move(*fit), std::move(input->parameters));
+    return holdFit(std::move(*fit));
 }
 
 bool Session::enclosingSphere(unsigned bytes) {
