@@ -19,7 +19,7 @@ constexpr double share = 0.98;
 constexpr double sameShare = 0.01;
 /// A stretch is divided evenly when its bound asks for at most this times as many chords as its
 /// curvature does (and one more).
-constexpr double tight = 1.1;
+constexpr double tight = 1.25;
 
 /// Where a stretch is looked at once more before it is accepted: a flat end of a B-function says
 /// nothing about the steep part beside it.
