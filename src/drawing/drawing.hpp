@@ -39,6 +39,9 @@ struct CurvePart {
     Affine placement;
 };
 
+/// sRGB and opacity, not premultiplied (eight bits of a premultiplied colour lose its hue).
+using ColourBytes = std::array<std::uint8_t, 4>;
+
 struct Shape {
     int object = 0;  ///< index among the scene's objects
     Role role = Role::curve;
@@ -51,6 +54,12 @@ struct Shape {
     /// position; otherwise two for each of the segments that it consists of instead (the edges of a
     /// mesh, the teeth of a comb).
     std::vector<std::uint32_t> indices;
+    /// Of triangles whose colour says something at every point: one a position, or none.
+    std::vector<ColourBytes> colours;
+    /// Of triangles: as long as two shapes share it, positions, normals, indices and colours are
+    /// the same. Whoever keeps something made of them (a buffer of the GPU) may drop it when it
+    /// expires.
+    std::shared_ptr<const void> identity;
     /// What a polyline approximates, for whoever can draw it exactly; null: nothing but itself.
     std::shared_ptr<const CurvePart> source;
     Colour colour;

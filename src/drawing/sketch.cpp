@@ -55,7 +55,10 @@ void placeShape(Shape& shape, const Affine& placement) {
         shape.positions[i + 1] = p.y;
         shape.positions[i + 2] = p.z;
     }
-    if (shape.kind == Kind::triangles) placeNormals(shape, placement.linear);
+    if (shape.kind == Kind::triangles) {
+        placeNormals(shape, placement.linear);
+        shape.identity = freshIdentity();
+    }
     if (shape.source == nullptr) return;
     CurvePart part = *shape.source;
     part.placement = compose(placement, part.placement);
@@ -81,6 +84,7 @@ Shape& Sketch::add(Role role, Kind kind, float width, Pane pane) {
     shape.pane = pane;
     shape.colour = roleColour(role, options_.dark);
     shape.width = width;
+    if (kind == Kind::triangles) shape.identity = freshIdentity();
     shapes_.push_back(std::move(shape));
     return shapes_.back();
 }
@@ -98,6 +102,8 @@ Shape& Sketch::addCurve(Role role, float width, const Curve& curve, const Interv
 void Sketch::take(std::vector<Shape> shapes) {
     std::move(shapes.begin(), shapes.end(), std::back_inserter(shapes_));
 }
+
+std::shared_ptr<const void> freshIdentity() { return std::make_shared<const char>('\0'); }
 
 void append(Shape& shape, const Vec3& p) {
     shape.positions.insert(shape.positions.end(), {p.x, p.y, p.z});

@@ -50,6 +50,9 @@ private:
     std::vector<Shape> shapes_;
 };
 
+/// For triangles that were made or altered: shared with nothing else yet.
+[[nodiscard]] std::shared_ptr<const void> freshIdentity();
+
 void append(Shape& shape, const Vec3& p);
 void append(Shape& shape, std::span<const Vec3> points);
 /// Two positions and the segment between them.

@@ -1,15 +1,13 @@
 // Colours as the vertices carry them.
 #pragma once
 
-#include "scene/colour.hpp"
+#include "drawing/drawing.hpp"
 
-#include <array>
 #include <cstdint>
 
 namespace knotwork::render {
 
-/// sRGB and opacity, not premultiplied (eight bits of a premultiplied colour lose its hue).
-using ColourBytes = std::array<std::uint8_t, 4>;
+using drawing::ColourBytes;
 
 [[nodiscard]] constexpr std::uint8_t toByte(double component) noexcept {
     if (!(component > 0)) return 0;

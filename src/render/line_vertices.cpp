@@ -110,7 +110,7 @@ void LineVertices::polyline(const Projection& projection, std::span<const double
                             const LineStyle& style) {
     points_.clear();
     for (std::size_t i = 0; i < positions.size() / 3; ++i) {
-        const Vec3 at = projection.toPane(tripleAt(positions, i));
+        const Vec3 at = projection.toPane(tripleAt(positions, i)) - Vec3(0, 0, style.nearer);
         if (isFinite(at)) collect(at);
         else stroke(projection.pane(), style);
     }
@@ -126,6 +126,8 @@ void LineVertices::segments(const Projection& projection, std::span<const double
         Vec3 a = projection.toPane(tripleAt(positions, i));
         Vec3 b = projection.toPane(tripleAt(positions, i + 1));
         if (!isFinite(a) || !isFinite(b)) continue;
+        a.z -= style.nearer;
+        b.z -= style.nearer;
         if (style.crisp && std::abs(a.x - b.x) < straightness) {
             a.x = b.x = snapped(a.x, 0.5 * pane.width, whole.width);
         }

@@ -34,6 +34,7 @@ struct LineStyle {
     double width = 1;
     double period = 0;
     ColourBytes colour{};
+    double nearer = 0;   ///< depth by which it is set before where it is
     bool crisp = false;  ///< of segments: upright and level ones are moved to whole pixels
 };
 

@@ -1,8 +1,14 @@
 #include "render/point_vertices.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace knotwork::render {
+
+void PointVertices::sortFarthestFirst() {
+    std::stable_sort(records_.begin(), records_.end(),
+                     [](const PointVertex& a, const PointVertex& b) { return a.z > b.z; });
+}
 
 void PointVertices::add(const Projection& projection, const Vec3& at, PointVertex looks) {
     const Vec3 p = projection.toPane(at);
@@ -13,7 +19,7 @@ void PointVertices::add(const Projection& projection, const Vec3& at, PointVerte
     if (std::abs(p.y) > 0.5 * projection.pane().height + reach) return;
     looks.x = static_cast<float>(p.x);
     looks.y = static_cast<float>(p.y);
-    looks.z = static_cast<float>(p.z);
+    looks.z = static_cast<float>(p.z) - looks.z;
     records_.push_back(looks);
 }
 

@@ -28,7 +28,10 @@ public:
     [[nodiscard]] bool empty() const noexcept { return records_.empty(); }
     [[nodiscard]] const std::vector<PointVertex>& records() const noexcept { return records_; }
 
-    /// Adds the point with the looks of `looks`, unless it cannot be seen in the pane.
+    /// What is nearer covers what is farther; equally far points keep their order.
+    void sortFarthestFirst();
+    /// Adds the point with the looks of `looks`, unless it cannot be seen in the pane. z of `looks`
+    /// is how much nearer than it is the point is set.
     void add(const Projection& projection, const Vec3& at, PointVertex looks);
 
 private:

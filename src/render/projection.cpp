@@ -49,9 +49,33 @@ Projection Projection::cssPixels(const Rect& pane, double pixelRatio) noexcept {
     return flat(pane, centre, 1 / pixelRatio, 1 / pixelRatio);
 }
 
+Projection Projection::parallel(const Rect& pane, const Vec3& centre, const Mat3& orientation,
+                                double unitsPerPixel, double depthRange) noexcept {
+    const Vec3 sizes(atLeastOne(halfWidth(pane)) * unitsPerPixel,
+                     atLeastOne(halfHeight(pane)) * unitsPerPixel, -depthRange);
+    glm::dmat4 clip(1.0);
+    glm::dmat4 inverse(1.0);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            clip[column][row] = orientation[column][row] / sizes[row];
+            inverse[row][column] = orientation[column][row] * sizes[row];
+        }
+    }
+    Projection made(pane, centre, clip, inverse);
+    made.orientation_ = orientation;
+    made.depthPerUnit_ = 1 / depthRange;
+    return made;
+}
+
 Projection Projection::general(const Rect& pane, const Vec3& centre,
                                const glm::dmat4& clip) noexcept {
     return {pane, centre, clip, glm::inverse(clip)};
+}
+
+glm::dmat4 Projection::clipFrom(const Vec3& origin) const noexcept {
+    glm::dmat4 clip = clip_;
+    clip[3] += clip_ * glm::dvec4(origin - centre_, 0.0);
+    return clip;
 }
 
 Vec3 Projection::toPane(const Vec3& world) const noexcept {

@@ -42,6 +42,12 @@ public:
     [[nodiscard]] static Projection spanning(const Rect& pane, Range x, Range y) noexcept;
     /// CSS pixels from the pane's lower left corner, y upwards: for ticks, frames and handles.
     [[nodiscard]] static Projection cssPixels(const Rect& pane, double pixelRatio) noexcept;
+    /// An eye infinitely far away: the rows of `orientation` are the world's unit vectors to the
+    /// right, upwards and towards the eye. What is farther than `depthRange` > 0 before or behind
+    /// the centre is not seen.
+    [[nodiscard]] static Projection parallel(const Rect& pane, const Vec3& centre,
+                                             const Mat3& orientation, double unitsPerPixel,
+                                             double depthRange) noexcept;
     /// Any projective map: `clip` takes (world - centre, 1) to OpenGL's clip coordinates.
     [[nodiscard]] static Projection general(const Rect& pane, const Vec3& centre,
                                             const glm::dmat4& clip) noexcept;
@@ -57,6 +63,15 @@ public:
     /// World units per device pixel in x and y at the pane's centre.
     [[nodiscard]] Vec3 unitsPerPixel() const noexcept;
 
+    /// Whether what is nearer hides what is behind it; in a flat projection painting order decides.
+    [[nodiscard]] bool deep() const noexcept { return depthPerUnit_ != 0; }
+    /// Rows as parallel() takes them; the plane seen from above for others.
+    [[nodiscard]] const Mat3& orientation() const noexcept { return orientation_; }
+    /// How much smaller the depth of a point becomes that moves towards the eye by one unit.
+    [[nodiscard]] double depthPerUnit() const noexcept { return depthPerUnit_; }
+    /// Takes (world - origin, 1) to OpenGL's clip coordinates.
+    [[nodiscard]] glm::dmat4 clipFrom(const Vec3& origin) const noexcept;
+
     [[nodiscard]] const Rect& pane() const noexcept { return pane_; }
     [[nodiscard]] const Vec3& centre() const noexcept { return centre_; }
 
@@ -68,6 +83,8 @@ private:
     Vec3 centre_;
     glm::dmat4 clip_;     ///< clip coordinates from (world - centre, 1)
     glm::dmat4 inverse_;  ///< (world - centre, 1) from clip coordinates
+    Mat3 orientation_{1.0};
+    double depthPerUnit_ = 0;
 };
 
 }  // namespace knotwork::render

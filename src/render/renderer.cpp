@@ -34,6 +34,9 @@ constexpr std::array triangleAttributes{
     Attribute{Type::colour, 4, offsetof(TriangleVertex, colour)},
 };
 
+const gl::Layout lineLayout{lineAttributes, lineStride, true, 4};
+const gl::Layout pointLayout{pointAttributes, sizeof(PointVertex), true, 1};
+
 template <class Record>
 std::span<const std::byte> bytesOf(const std::vector<Record>& records) {
     return std::as_bytes(std::span(records));
@@ -42,6 +45,12 @@ std::span<const std::byte> bytesOf(const std::vector<Record>& records) {
 Colour faded(Colour colour, double opacity) {
     colour.alpha *= opacity;
     return colour;
+}
+
+Behind usualBehind(drawing::Role role) noexcept {
+    const bool onSurface =
+        role == drawing::Role::isoline || role == drawing::Role::wireframe;
+    return onSurface ? Behind::vanishes : Behind::fades;
 }
 
 double strengthAt(std::span<const Highlight> highlights, std::size_t index) {
@@ -63,12 +72,11 @@ bool Renderer::start() {
         return made.ok();
     };
     message_.clear();
-    started_ = make(lines_, lineVertexShader, lineFragmentShader,
-                    {lineAttributes, lineStride, true, 4}) &&
-               make(points_, pointVertexShader, pointFragmentShader,
-                    {pointAttributes, sizeof(PointVertex), true, 1}) &&
+    started_ = make(lines_, lineVertexShader, lineFragmentShader, lineLayout) &&
+               make(points_, pointVertexShader, pointFragmentShader, pointLayout) &&
                make(triangles_, triangleVertexShader, triangleFragmentShader,
-                    {triangleAttributes, sizeof(TriangleVertex), false, 1});
+                    {triangleAttributes, sizeof(TriangleVertex), false, 1}) &&
+               space_.start(device_, message_);
     return started_;
 }
 
@@ -76,6 +84,7 @@ void Renderer::forget() noexcept {
     lines_.forget();
     points_.forget();
     triangles_.forget();
+    space_.forget();
     lineVertices_.clear();
     pointVertices_.clear();
     triangleVertices_.clear();
@@ -90,6 +99,7 @@ void Renderer::beginView(int width, int height, const Colour& background) {
     device_.prepare();
     device_.setArea({0, 0, width, height});
     device_.clear(background);
+    background_ = background;
 }
 
 void Renderer::beginPane(const Rect& pane, const Projection& projection, double pixelRatio,
@@ -98,16 +108,20 @@ void Renderer::beginPane(const Rect& pane, const Projection& projection, double 
     projection_ = projection;
     pixelRatio_ = pixelRatio;
     device_.setArea(pane);
-    if (background) device_.clear(*background);
+    if (background && !projection.deep()) device_.clear(*background);
+    if (background) background_ = *background;
 }
 
 void Renderer::endPane() {
+    if (started_ && deep()) flushSpace();
     flush();
     projection_.reset();
 }
 
 void Renderer::endView() {
-    if (started_) device_.release();
+    if (!started_) return;
+    space_.sweep();
+    device_.release();
 }
 
 void Renderer::switchTo(Batch batch) {
@@ -119,7 +133,8 @@ void Renderer::switchTo(Batch batch) {
 void Renderer::flush() {
     const auto send = [this](gl::Pipeline& pipeline, auto& vertices) {
         if (vertices.empty()) return;
-        device_.draw(pipeline, bytesOf(vertices.records()), projection_->pane());
+        device_.send(pipeline, pipeline.records, bytesOf(vertices.records()));
+        device_.draw(pipeline, pipeline.records, projection_->pane());
         stats_.drawCalls += 1;
         stats_.vertices += vertices.records().size();
         vertices.clear();
@@ -132,26 +147,57 @@ void Renderer::flush() {
     batch_ = Batch::none;
 }
 
+void Renderer::flushSpace() {
+    const SharedPrograms programs{lines_, points_, lineLayout, pointLayout};
+    const PaintCounts counts =
+        space_.paint(device_, programs, *projection_, pixelRatio_, background_);
+    stats_.drawCalls += counts.drawCalls;
+    stats_.vertices += counts.vertices;
+}
+
+LineVertices& Renderer::linesFor(const Stroke& stroke) {
+    if (!deep()) {
+        switchTo(Batch::lines);
+        return lineVertices_;
+    }
+    switch (stroke.behind) {
+        case Behind::vanishes: return space_.lines(LineLayer::onSurface);
+        case Behind::shows: return space_.lines(LineLayer::over);
+        default: return space_.lines(stroke.cuts ? LineLayer::curve : LineLayer::net);
+    }
+}
+
+PointVertices& Renderer::pointsFor(const Dots& dots) {
+    if (deep()) return space_.points(dots.behind);
+    switchTo(Batch::points);
+    return pointVertices_;
+}
+
+double Renderer::nearerBy(double pixels) const noexcept {
+    return deep() ? pixels * projection_->unitsPerPixel().x * projection_->depthPerUnit() : 0;
+}
+
 void Renderer::polyline(std::span<const double> positions, const Stroke& stroke) {
     if (!projection_) return;
-    switchTo(Batch::lines);
+    LineVertices& lines = linesFor(stroke);
     const double width = stroke.width * pixelRatio_;
     const double period = stroke.dashed ? dashPeriod(stroke.width, pixelRatio_) : 0;
+    const double nearer = nearerBy(0.5 * width + 1);
     if (stroke.halo > 0) {
-        lineVertices_.polyline(*projection_, positions,
-                               {width + 2 * stroke.halo * pixelRatio_, 0,
-                                toBytes(stroke.haloColour)});
+        lines.polyline(*projection_, positions,
+                       {width + 2 * stroke.halo * pixelRatio_, 0, toBytes(stroke.haloColour),
+                        nearer});
     }
-    lineVertices_.polyline(*projection_, positions, {width, period, toBytes(stroke.colour)});
+    lines.polyline(*projection_, positions, {width, period, toBytes(stroke.colour), nearer});
 }
 
 void Renderer::segments(std::span<const double> positions, const Stroke& stroke) {
     if (!projection_) return;
-    switchTo(Batch::lines);
+    const double width = stroke.width * pixelRatio_;
     const double period = stroke.dashed ? dashPeriod(stroke.width, pixelRatio_) : 0;
-    lineVertices_.segments(*projection_, positions,
-                           {stroke.width * pixelRatio_, period, toBytes(stroke.colour),
-                            stroke.crisp});
+    linesFor(stroke).segments(*projection_, positions,
+                              {width, period, toBytes(stroke.colour), nearerBy(0.5 * width + 1),
+                               stroke.crisp});
 }
 
 void Renderer::edges(const drawing::Shape& shape, const Stroke& stroke) {
@@ -165,8 +211,10 @@ void Renderer::edges(const drawing::Shape& shape, const Stroke& stroke) {
 
 void Renderer::points(std::span<const double> positions, const Dots& dots) {
     if (!projection_) return;
-    switchTo(Batch::points);
+    PointVertices& vertices = pointsFor(dots);
     PointVertex looks;
+    looks.z = static_cast<float>(
+        nearerBy((0.75 * dots.diameter + 1.5 * dots.border) * pixelRatio_ + 1));
     looks.radius = static_cast<float>(0.5 * dots.diameter * pixelRatio_);
     looks.border = static_cast<float>(dots.border * pixelRatio_);
     looks.square = dots.square ? 1.0F : 0.0F;
@@ -176,8 +224,8 @@ void Renderer::points(std::span<const double> positions, const Dots& dots) {
     for (std::size_t i = 0; i < positions.size() / 3; ++i) {
         const double halo = dots.halo * strengthAt(dots.highlights, i);
         looks.halo = static_cast<float>(halo * pixelRatio_);
-        pointVertices_.add(*projection_,
-                           {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}, looks);
+        vertices.add(*projection_,
+                     {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]}, looks);
     }
 }
 
@@ -193,28 +241,33 @@ void Renderer::areaUnder(std::span<const double> graph, double base, const Colou
     triangles(scratch_, colour);
 }
 
+void Renderer::stroke(const drawing::Shape& shape, Stroke stroke) {
+    stroke.dashed = shape.dashed;
+    stroke.cuts = shape.role == drawing::Role::curve;
+    if (shape.indices.empty()) return polyline(shape.positions, stroke);
+    stroke.halo = 0;
+    edges(shape, stroke);
+}
+
 void Renderer::paint(const drawing::Shape& shape, const PaintOptions& options) {
     const Colour colour = faded(shape.colour, options.opacity);
     const Colour halo = options.haloColour.value_or(faded(colour, 0.25));
     const double size = static_cast<double>(shape.width) + options.extraWidth;
+    const Behind behind = options.behind.value_or(usualBehind(shape.role));
     switch (shape.kind) {
         case drawing::Kind::polyline:
-            if (shape.indices.empty()) {
-                polyline(shape.positions,
-                         {colour, size, shape.dashed, false, options.halo, halo});
-            } else {
-                edges(shape, {colour, size, shape.dashed, false, 0, halo});
-            }
+            stroke(shape, {colour, size, false, false, options.halo, halo, behind, false});
             break;
         case drawing::Kind::points:
             points(shape.positions,
                    {colour, size, shape.square, options.border,
                     faded(options.borderColour, options.opacity), Dots{}.halo, halo,
-                    options.highlights});
+                    options.highlights, behind});
             break;
         case drawing::Kind::triangles:
-            // Shaded surfaces need an eye in space; in a plane their lines stand for them.
+            // Lit surfaces need an eye in space; in a plane their lines stand for them.
             if (shape.indices.empty()) triangles(shape.positions, colour);
+            else if (started_ && deep()) space_.add(shape, colour);
             break;
         case drawing::Kind::label: break;
     }
@@ -223,7 +276,8 @@ void Renderer::paint(const drawing::Shape& shape, const PaintOptions& options) {
 Stats Renderer::stats() const noexcept {
     Stats stats = stats_;
     stats.live = device_.counts();
-    stats.bufferBytes = lines_.bytes + points_.bytes + triangles_.bytes;
+    stats.bufferBytes = lines_.records.bytes + points_.records.bytes + triangles_.records.bytes +
+                        space_.bufferBytes();
     return stats;
 }
 

@@ -9,6 +9,10 @@
 //     renderer.endPane();
 //     renderer.endView();
 //
+// In a pane whose projection is deep, what is nearer hides what is behind it: all of it is painted by
+// endPane() (space_painter.hpp), until when the shapes of triangles given to paint() must live, and
+// painting order decides among lines only.
+//
 // Lines and points are antialiased over one device pixel by their distance from the pixel's
 // centre; sizes are CSS pixels. Colours are blended premultiplied, so that the canvas may be
 // composited over the page.
@@ -19,6 +23,7 @@
 #include "render/line_vertices.hpp"
 #include "render/point_vertices.hpp"
 #include "render/projection.hpp"
+#include "render/space_painter.hpp"
 #include "render/triangle_vertices.hpp"
 
 #include <cstddef>
@@ -38,6 +43,8 @@ struct Stroke {
     bool crisp = false;  ///< of segments: upright and level ones are moved to whole device pixels
     double halo = 0;     ///< width of the halo beyond either edge, 0 for none
     Colour haloColour{};
+    Behind behind = Behind::fades;  ///< in a deep pane
+    bool cuts = false;              ///< there: cuts a gap into the lines that it passes before
 };
 
 /// One element of a list of points that stands out.
@@ -56,6 +63,7 @@ struct Dots {
     double halo = 9;     ///< width of the halo of a fully highlighted point
     Colour haloColour{};
     std::span<const Highlight> highlights = {};
+    Behind behind = Behind::fades;  ///< in a deep pane
 };
 
 /// What a view adds to a shape that a drawing describes.
@@ -67,6 +75,8 @@ struct PaintOptions {
     double border = 1.5;         ///< of points
     Colour borderColour{1, 1, 1, 1};
     std::span<const Highlight> highlights = {};  ///< elements of a list of points
+    /// In a deep pane. Default: lines on surfaces vanish behind them, all others fade.
+    std::optional<Behind> behind = {};
 };
 
 /// What the last frame cost and what is alive now.
@@ -93,7 +103,8 @@ public:
     void forget() noexcept;
 
     void beginView(int width, int height, const Colour& background);
-    /// Painting goes to `pane` and nowhere else until endPane(). A background clears the pane.
+    /// Painting goes to `pane` and nowhere else until endPane(). A background clears the pane; a
+    /// deep one has that of the view where it has none of its own.
     void beginPane(const Rect& pane, const Projection& projection, double pixelRatio,
                    const std::optional<Colour>& background = std::nullopt);
     /// Polylines, points and triangles as their kind says; labels are the page's to write.
@@ -117,6 +128,13 @@ private:
     void switchTo(Batch batch);
     void edges(const drawing::Shape& shape, const Stroke& stroke);
     void flush();
+    void flushSpace();
+    [[nodiscard]] bool deep() const noexcept { return projection_ && projection_->deep(); }
+    [[nodiscard]] LineVertices& linesFor(const Stroke& stroke);
+    [[nodiscard]] PointVertices& pointsFor(const Dots& dots);
+    /// Pixels of depth.
+    [[nodiscard]] double nearerBy(double pixels) const noexcept;
+    void stroke(const drawing::Shape& shape, Stroke stroke);
 
     gl::Device device_;
     gl::Pipeline lines_;
@@ -125,6 +143,8 @@ private:
     LineVertices lineVertices_;
     PointVertices pointVertices_;
     TriangleVertices triangleVertices_;
+    SpacePainter space_;
+    Colour background_;      ///< of the pane or the view
     std::vector<double> scratch_;
     Batch batch_ = Batch::none;
     std::optional<Projection> projection_;

@@ -1,5 +1,6 @@
-// The three programs. Everywhere `view` holds the pane's width and height and the position of its
-// middle in the framebuffer; positions are pixels from that middle; colours leave premultiplied.
+// The programs of lines, points and flat triangles. Everywhere `view` holds the pane's width and
+// height and the position of its middle in the framebuffer; positions are pixels from that middle;
+// `pass` is a gl::Pass; colours leave premultiplied.
 #pragma once
 
 #include <string_view>
@@ -16,6 +17,7 @@ layout(location = 3) in vec4 colour;
 layout(location = 4) in vec4 end;
 layout(location = 5) in vec4 after;
 uniform vec4 view;
+uniform vec4 pass;
 flat out vec4 ends;
 flat out vec4 neighbours;
 flat out vec4 arcs;
@@ -25,9 +27,10 @@ flat out vec4 paint;
 float known(float arc) { return arc >= 0.0 || arc < -1.5 ? 1.0 : 0.0; }
 
 void main() {
-    float radius = 0.5 * max(style.x, 1.0);
+    float radius = 0.5 * max(style.x, 1.0) + pass.y;
     vec2 along = end.xy - start.xy;
     float span = length(along);
+    float back = pass.z + pass.w * abs(end.z - start.z) / max(span, 1e-3);
     vec2 forward = span > 0.0 ? along / span : vec2(1.0, 0.0);
     vec2 sideways = vec2(-forward.y, forward.x);
     bool atEnd = (gl_VertexID & 1) == 1;
@@ -36,12 +39,13 @@ void main() {
     vec2 tip = atEnd ? end.xy + reach * forward : start.xy - reach * forward;
     vec2 corner = tip + side * reach * sideways;
     bool drawn = start.w >= 0.0 && end.w >= 0.0;
-    gl_Position = drawn ? vec4(corner / (0.5 * view.xy), atEnd ? end.z : start.z, 1.0) : vec4(2.0);
+    gl_Position = drawn ? vec4(corner / (0.5 * view.xy), (atEnd ? end.z : start.z) + back, 1.0)
+                        : vec4(2.0);
     ends = vec4(start.xy, end.xy);
     neighbours = vec4(before.xy, after.xy);
     arcs = vec4(start.w, end.w, known(before.w), known(after.w));
     stroke = vec2(radius, style.y);
-    paint = vec4(colour.rgb, colour.a * min(style.x, 1.0));
+    paint = vec4(colour.rgb, colour.a * min(style.x, 1.0) * pass.x);
 }
 )";
 
@@ -102,13 +106,14 @@ layout(location = 2) in vec4 fillColour;
 layout(location = 3) in vec4 borderColour;
 layout(location = 4) in vec4 haloColour;
 uniform vec4 view;
+uniform vec4 pass;
 flat out vec2 middle;
 flat out vec4 looks;
 flat out vec4 fill;
 flat out vec4 border;
 flat out vec4 halo;
 
-vec4 premultiplied(vec4 c) { return vec4(c.rgb * c.a, c.a); }
+vec4 premultiplied(vec4 c) { return vec4(c.rgb * c.a, c.a) * pass.x; }
 
 void main() {
     float reach = sizes.x + sizes.y + sizes.z + 1.0;
@@ -159,11 +164,12 @@ precision highp float;
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
 uniform vec4 view;
+uniform vec4 pass;
 flat out vec4 paint;
 
 void main() {
     gl_Position = vec4(position.xy / (0.5 * view.xy), position.z, 1.0);
-    paint = vec4(colour.rgb * colour.a, colour.a);
+    paint = vec4(colour.rgb * colour.a, colour.a) * pass.x;
 }
 )";
 

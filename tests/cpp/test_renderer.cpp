@@ -15,6 +15,10 @@ struct Log {
     std::vector<Rect> draws;
     std::vector<scene::Colour> clears;
     std::string refusal;
+    std::vector<std::string> steps;    ///< of the painting of a deep pane
+    std::vector<std::size_t> vertices; ///< bytes of surfaces that were sent
+    std::vector<std::size_t> corners;  ///< of triangles that were sent
+    int targets = 0;
 };
 
 Log& log() {
@@ -27,26 +31,90 @@ Log& log() {
 void ProgramTraits::destroy(unsigned) noexcept { log().destroyed += 1; }
 void BufferTraits::destroy(unsigned) noexcept { log().destroyed += 1; }
 void VertexArrayTraits::destroy(unsigned) noexcept { log().destroyed += 1; }
+void FramebufferTraits::destroy(unsigned) noexcept { log().destroyed += 1; }
+void RenderbufferTraits::destroy(unsigned) noexcept { log().destroyed += 1; }
 
 Result<Pipeline> Device::makePipeline(std::string_view, std::string_view, const Layout& layout) {
     if (!log().refusal.empty()) return refuse(Code::notSupported, "", log().refusal);
     Pipeline made;
     made.program = Handle<ProgramTraits>(++log().names, counts_);
-    made.buffer = Handle<BufferTraits>(++log().names, counts_);
-    made.vertexArray = Handle<VertexArrayTraits>(++log().names, counts_);
+    made.records = makeRecords(layout);
     made.stride = layout.stride;
     made.window = layout.window;
     return made;
 }
 
+Records Device::makeRecords(const Layout&) {
+    Records made;
+    made.buffer = Handle<BufferTraits>(++log().names, counts_);
+    made.vertexArray = Handle<VertexArrayTraits>(++log().names, counts_);
+    return made;
+}
+
+Result<SurfacePipeline> Device::makeSurfacePipeline(std::string_view, std::string_view) {
+    SurfacePipeline made;
+    made.program = Handle<ProgramTraits>(++log().names, counts_);
+    return made;
+}
+
+SurfaceBuffers Device::makeSurfaceBuffers(const Layout&) {
+    SurfaceBuffers made;
+    made.vertices = Handle<BufferTraits>(++log().names, counts_);
+    made.indices = Handle<BufferTraits>(++log().names, counts_);
+    made.vertexArray = Handle<VertexArrayTraits>(++log().names, counts_);
+    return made;
+}
+
+void Device::sendVertices(SurfaceBuffers& buffers, std::span<const std::byte> records) noexcept {
+    buffers.vertexBytes = records.size();
+    log().vertices.push_back(records.size());
+}
+
+void Device::sendTriangles(SurfaceBuffers& buffers,
+                           std::span<const std::uint32_t> indices) noexcept {
+    buffers.corners = indices.size();
+    log().corners.push_back(indices.size());
+}
+
+bool Device::beginTarget(Target& target, int width, int height) noexcept {
+    if (width > target.width || height > target.height) {
+        log().targets += 1;
+        target.framebuffer = Handle<FramebufferTraits>(++log().names, counts_);
+        target.width = std::max(width, target.width);
+        target.height = std::max(height, target.height);
+    }
+    log().steps.emplace_back("begin");
+    return true;
+}
+
+void Device::endTarget(const Target&, const Rect&) noexcept { log().steps.emplace_back("end"); }
+void Device::clearDepth() noexcept {}
+
+void Device::setDepth(Depth depth) noexcept {
+    constexpr std::array names{"ignored", "written", "writtenOnly", "masked", "nearer", "farther"};
+    log().steps.emplace_back(names[static_cast<std::size_t>(depth)]);
+}
+
 void Device::prepare() noexcept {}
 void Device::setArea(const Rect& area) noexcept { log().areas.push_back(area); }
 void Device::clear(const scene::Colour& colour) noexcept { log().clears.push_back(colour); }
-void Device::draw(Pipeline& pipeline, std::span<const std::byte> records,
-                  const Rect& pane) noexcept {
-    pipeline.bytes = records.size();
-    log().draws.push_back(pane);
+
+void Device::send(const Pipeline& pipeline, Records& records,
+                  std::span<const std::byte> bytes) noexcept {
+    records.bytes = bytes.size();
+    records.count = bytes.size() / pipeline.stride;
 }
+
+void Device::draw(const Pipeline&, const Records&, const Rect& pane, const Pass&) noexcept {
+    log().draws.push_back(pane);
+    log().steps.emplace_back("draw");
+}
+
+void Device::draw(const SurfacePipeline&, const SurfaceBuffers&, const SurfaceView&, std::size_t,
+                  std::size_t) noexcept {
+    log().steps.emplace_back("surface");
+}
+
 void Device::release() noexcept {}
 
 }  // namespace gl
@@ -76,9 +144,9 @@ protected:
     Renderer renderer;
 };
 
-TEST_F(RendererTest, ThreeProgramsAreNineObjects) {
+TEST_F(RendererTest, FourProgramsAreTenObjects) {
     ASSERT_TRUE(renderer.start());
-    EXPECT_EQ(renderer.stats().live, (gl::Counts{3, 3, 3}));
+    EXPECT_EQ(renderer.stats().live, (gl::Counts{4, 3, 3, 0, 0}));
 }
 
 TEST_F(RendererTest, NeighbouringLinesAreOneDraw) {
@@ -129,15 +197,15 @@ TEST_F(RendererTest, AfterARestoredContextItDrawsAgain) {
     renderer.forget();
     ASSERT_TRUE(renderer.start());
     frame();
-    EXPECT_EQ(renderer.stats().live.total(), 9);
+    EXPECT_EQ(renderer.stats().live.total(), 10);
     EXPECT_EQ(renderer.stats().drawCalls, 4);
 }
 
 TEST_F(RendererTest, StartingTwiceLeavesNoObjectsBehind) {
     ASSERT_TRUE(renderer.start());
     ASSERT_TRUE(renderer.start());
-    EXPECT_EQ(renderer.stats().live.total(), 9);
-    EXPECT_EQ(gl::log().destroyed, 9);
+    EXPECT_EQ(renderer.stats().live.total(), 10);
+    EXPECT_EQ(gl::log().destroyed, 10);
 }
 
 TEST_F(RendererTest, ADriverThatRefusesIsReportedInItsWords) {
@@ -170,7 +238,7 @@ TEST_F(RendererTest, DestroyingTheRendererFreesEverything) {
         Renderer shortLived;
         ASSERT_TRUE(shortLived.start());
     }
-    EXPECT_EQ(gl::log().destroyed, 9);
+    EXPECT_EQ(gl::log().destroyed, 10);
 }
 
 }  // namespace

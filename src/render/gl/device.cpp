@@ -8,6 +8,9 @@
 namespace knotwork::render::gl {
 namespace {
 
+/// Of a pixel: more are hard to tell apart and twice as slow in software.
+constexpr int samples = 4;
+
 /// A shader object for the time between compiling and linking.
 class Shader {
 public:
@@ -69,17 +72,64 @@ Result<Handle<ProgramTraits>> makeProgram(std::string_view vertexSource,
     return program;
 }
 
+void enable(GLenum capability, bool on) {
+    if (on) glEnable(capability);
+    else glDisable(capability);
+}
+
+GLenum typeOf(const Attribute& attribute) {
+    switch (attribute.type) {
+        case Attribute::Type::colour: return GL_UNSIGNED_BYTE;
+        case Attribute::Type::direction: return GL_SHORT;
+        default: return GL_FLOAT;
+    }
+}
+
 void describe(const Layout& layout) {
     for (std::size_t i = 0; i < layout.attributes.size(); ++i) {
         const Attribute& attribute = layout.attributes[i];
-        const bool bytes = attribute.type == Attribute::Type::colour;
+        const bool floats = attribute.type == Attribute::Type::floats;
         const auto location = static_cast<GLuint>(i);
         glEnableVertexAttribArray(location);
-        glVertexAttribPointer(location, attribute.components, bytes ? GL_UNSIGNED_BYTE : GL_FLOAT,
-                              bytes ? GL_TRUE : GL_FALSE, static_cast<GLsizei>(layout.stride),
+        glVertexAttribPointer(location, attribute.components, typeOf(attribute),
+                              floats ? GL_FALSE : GL_TRUE, static_cast<GLsizei>(layout.stride),
                               reinterpret_cast<const void*>(attribute.offset));
         if (layout.instanced) glVertexAttribDivisor(location, 1);
     }
+}
+
+Handle<RenderbufferTraits> makeStorage(GLenum format, const Target& target, Counts& counts) {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, target.samples, format, target.width,
+                                     target.height);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    return {name, counts};
+}
+
+/// Without a framebuffer where the driver does not complete it.
+Target makeTarget(int width, int height, Counts& counts) {
+    Target made;
+    made.width = width;
+    made.height = height;
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    made.samples = std::min<int>(samples, most);
+    made.colour = makeStorage(GL_RGBA8, made, counts);
+    made.depth = makeStorage(GL_DEPTH_COMPONENT24, made, counts);
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    made.framebuffer = Handle<FramebufferTraits>(name, counts);
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              made.colour.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                              made.depth.name());
+    const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (!complete) made.framebuffer = {};
+    return made;
 }
 
 }  // namespace
@@ -87,23 +137,32 @@ void describe(const Layout& layout) {
 void ProgramTraits::destroy(unsigned name) noexcept { glDeleteProgram(name); }
 void BufferTraits::destroy(unsigned name) noexcept { glDeleteBuffers(1, &name); }
 void VertexArrayTraits::destroy(unsigned name) noexcept { glDeleteVertexArrays(1, &name); }
+void FramebufferTraits::destroy(unsigned name) noexcept { glDeleteFramebuffers(1, &name); }
+void RenderbufferTraits::destroy(unsigned name) noexcept { glDeleteRenderbuffers(1, &name); }
 
 Result<Pipeline> Device::makePipeline(std::string_view vertexShader,
                                       std::string_view fragmentShader, const Layout& layout) {
     auto program = makeProgram(vertexShader, fragmentShader, counts_);
     if (!program) return program.error();
+    Pipeline made;
+    made.program = std::move(program).value();
+    made.records = makeRecords(layout);
+    made.viewUniform = glGetUniformLocation(made.program.name(), "view");
+    made.passUniform = glGetUniformLocation(made.program.name(), "pass");
+    made.stride = layout.stride;
+    made.window = layout.window;
+    made.instanced = layout.instanced;
+    return made;
+}
+
+Records Device::makeRecords(const Layout& layout) {
     GLuint buffer = 0;
     GLuint vertexArray = 0;
     glGenBuffers(1, &buffer);
     glGenVertexArrays(1, &vertexArray);
-    Pipeline made;
-    made.program = std::move(program).value();
+    Records made;
     made.buffer = Handle<BufferTraits>(buffer, counts_);
     made.vertexArray = Handle<VertexArrayTraits>(vertexArray, counts_);
-    made.viewUniform = glGetUniformLocation(made.program.name(), "view");
-    made.stride = layout.stride;
-    made.window = layout.window;
-    made.instanced = layout.instanced;
     glBindVertexArray(vertexArray);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     describe(layout);
@@ -116,10 +175,9 @@ void Device::prepare() noexcept {
     glBlendEquation(GL_FUNC_ADD);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glEnable(GL_SCISSOR_TEST);
-    glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_STENCIL_TEST);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    setDepth(Depth::ignored);
 }
 
 void Device::setArea(const Rect& area) noexcept {
@@ -138,23 +196,128 @@ void Device::clear(const scene::Colour& colour) noexcept {
 
 // The whole buffer is specified anew for each draw: the driver then gives fresh memory to what it
 // still reads from, and never waits. Its size follows the data, so it cannot creep upwards.
-void Device::draw(Pipeline& pipeline, std::span<const std::byte> records,
-                  const Rect& pane) noexcept {
-    const std::size_t count = records.size() / pipeline.stride;
-    if (count < pipeline.window) return;
+void Device::send(const Pipeline& pipeline, Records& records,
+                  std::span<const std::byte> bytes) noexcept {
+    records.count = bytes.size() / pipeline.stride;
+    records.bytes = bytes.size();
+    glBindBuffer(GL_ARRAY_BUFFER, records.buffer.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                 GL_STREAM_DRAW);
+}
+
+void Device::draw(const Pipeline& pipeline, const Records& records, const Rect& pane,
+                  const Pass& pass) noexcept {
+    if (records.count < pipeline.window) return;
     glUseProgram(pipeline.program.name());
     glUniform4f(pipeline.viewUniform, static_cast<float>(pane.width),
                 static_cast<float>(pane.height),
                 static_cast<float>(pane.x) + 0.5F * static_cast<float>(pane.width),
                 static_cast<float>(pane.y) + 0.5F * static_cast<float>(pane.height));
-    glBindVertexArray(pipeline.vertexArray.name());
-    glBindBuffer(GL_ARRAY_BUFFER, pipeline.buffer.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(records.size()), records.data(),
-                 GL_STREAM_DRAW);
-    pipeline.bytes = records.size();
-    const auto instances = static_cast<GLsizei>(count - pipeline.window + 1);
+    glUniform4f(pipeline.passUniform, pass.strength, pass.grow, pass.push, pass.steep);
+    glBindVertexArray(records.vertexArray.name());
+    const auto instances = static_cast<GLsizei>(records.count - pipeline.window + 1);
     if (pipeline.instanced) glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
     else glDrawArrays(GL_TRIANGLES, 0, instances);
+}
+
+Result<SurfacePipeline> Device::makeSurfacePipeline(std::string_view vertexShader,
+                                                    std::string_view fragmentShader) {
+    auto program = makeProgram(vertexShader, fragmentShader, counts_);
+    if (!program) return program.error();
+    SurfacePipeline made;
+    made.program = std::move(program).value();
+    made.clipUniform = glGetUniformLocation(made.program.name(), "clip");
+    made.orientationUniform = glGetUniformLocation(made.program.name(), "orientation");
+    made.paintUniform = glGetUniformLocation(made.program.name(), "paint");
+    return made;
+}
+
+SurfaceBuffers Device::makeSurfaceBuffers(const Layout& layout) {
+    std::array<GLuint, 2> buffers{};
+    GLuint vertexArray = 0;
+    glGenBuffers(2, buffers.data());
+    glGenVertexArrays(1, &vertexArray);
+    SurfaceBuffers made;
+    made.vertices = Handle<BufferTraits>(buffers[0], counts_);
+    made.indices = Handle<BufferTraits>(buffers[1], counts_);
+    made.vertexArray = Handle<VertexArrayTraits>(vertexArray, counts_);
+    glBindVertexArray(vertexArray);
+    glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
+    describe(layout);
+    glBindVertexArray(0);
+    return made;
+}
+
+void Device::sendVertices(SurfaceBuffers& buffers, std::span<const std::byte> records) noexcept {
+    buffers.vertexBytes = records.size();
+    glBindBuffer(GL_ARRAY_BUFFER, buffers.vertices.name());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(records.size()), records.data(),
+                 GL_DYNAMIC_DRAW);
+}
+
+void Device::sendTriangles(SurfaceBuffers& buffers,
+                           std::span<const std::uint32_t> indices) noexcept {
+    buffers.corners = indices.size();
+    glBindVertexArray(buffers.vertexArray.name());  // which knows the buffer of indices
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()),
+                 indices.data(), GL_DYNAMIC_DRAW);
+    glBindVertexArray(0);
+}
+
+void Device::draw(const SurfacePipeline& pipeline, const SurfaceBuffers& buffers,
+                  const SurfaceView& view, std::size_t first, std::size_t count) noexcept {
+    glUseProgram(pipeline.program.name());
+    glUniformMatrix4fv(pipeline.clipUniform, 1, GL_FALSE, view.clip.data());
+    glUniformMatrix3fv(pipeline.orientationUniform, 1, GL_FALSE, view.orientation.data());
+    glUniform4fv(pipeline.paintUniform, 1, view.paint.data());
+    glBindVertexArray(buffers.vertexArray.name());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
+}
+
+bool Device::beginTarget(Target& target, int width, int height) noexcept {
+    if (width > target.width || height > target.height) {
+        target = makeTarget(std::max(width, target.width), std::max(height, target.height),
+                            counts_);
+    }
+    if (!target.framebuffer) return false;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
+    return true;
+}
+
+void Device::endTarget(const Target& target, const Rect& area) noexcept {
+    const GLint right = area.x + area.width;
+    const GLint top = area.y + area.height;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer.name());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(area.x, area.y, right, top, area.x, area.y, right, top, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    constexpr std::array<GLenum, 2> spent{GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+    glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, 2, spent.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Device::clearDepth() noexcept {
+    glDepthMask(GL_TRUE);
+    glClearDepthf(1.0F);
+    glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+// Surfaces are moved back by their slope, so that what lies on them is in front of them also where
+// they are steep.
+void Device::setDepth(Depth depth) noexcept {
+    const bool surfaces = depth == Depth::written || depth == Depth::writtenOnly;
+    const bool writes = surfaces || depth == Depth::masked;
+    const bool colourless = depth == Depth::writtenOnly || depth == Depth::masked;
+    const GLboolean colours = colourless ? GL_FALSE : GL_TRUE;
+    glColorMask(colours, colours, colours, colours);
+    glDepthMask(writes ? GL_TRUE : GL_FALSE);
+    glDepthFunc(depth == Depth::farther ? GL_GREATER : GL_LEQUAL);
+    glPolygonOffset(1.0F, 1.0F);
+    enable(GL_POLYGON_OFFSET_FILL, surfaces);
+    enable(GL_SAMPLE_ALPHA_TO_COVERAGE, depth == Depth::masked);
+    enable(GL_DEPTH_TEST, depth != Depth::ignored);
 }
 
 void Device::release() noexcept {

@@ -9,7 +9,9 @@
 #include "render/projection.hpp"
 #include "scene/colour.hpp"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -20,7 +22,11 @@ struct Counts {
     int programs = 0;
     int buffers = 0;
     int vertexArrays = 0;
-    [[nodiscard]] constexpr int total() const noexcept { return programs + buffers + vertexArrays; }
+    int framebuffers = 0;
+    int renderbuffers = 0;
+    [[nodiscard]] constexpr int total() const noexcept {
+        return programs + buffers + vertexArrays + framebuffers + renderbuffers;
+    }
     friend constexpr bool operator==(const Counts&, const Counts&) = default;
 };
 
@@ -70,9 +76,19 @@ struct VertexArrayTraits {
     static int& count(Counts& counts) noexcept { return counts.vertexArrays; }
 };
 
+struct FramebufferTraits {
+    static void destroy(unsigned name) noexcept;
+    static int& count(Counts& counts) noexcept { return counts.framebuffers; }
+};
+struct RenderbufferTraits {
+    static void destroy(unsigned name) noexcept;
+    static int& count(Counts& counts) noexcept { return counts.renderbuffers; }
+};
+
 /// One attribute of a vertex, at `location` = its place in the list of a layout.
 struct Attribute {
-    enum class Type { floats, colour };  ///< colour: four bytes read as [0, 1]
+    /// colour: four bytes read as [0, 1]; direction: 16 bits a component read as [-1, 1]
+    enum class Type { floats, colour, direction };
     Type type = Type::floats;
     int components = 1;
     std::size_t offset = 0;  ///< bytes from the start of the record
@@ -86,23 +102,108 @@ struct Layout {
     std::size_t window = 1;   ///< records that an instance reads, from its own on
 };
 
-/// A program with the buffer that it draws from, which is filled anew for each draw.
-struct Pipeline {
-    Handle<ProgramTraits> program;
+/// A buffer of records that is filled anew for each draw.
+struct Records {
     Handle<BufferTraits> buffer;
     Handle<VertexArrayTraits> vertexArray;
+    std::size_t bytes = 0;  ///< in the buffer
+    std::size_t count = 0;  ///< records in the buffer
+
+    void forget() noexcept {
+        buffer.forget();
+        vertexArray.forget();
+        bytes = count = 0;
+    }
+};
+
+/// A program with records to draw from.
+struct Pipeline {
+    Handle<ProgramTraits> program;
+    Records records;
     int viewUniform = -1;
+    int passUniform = -1;
     std::size_t stride = 0;
     std::size_t window = 1;
-    std::size_t bytes = 0;  ///< in the buffer
     bool instanced = false;
 
     void forget() noexcept {
         program.forget();
-        buffer.forget();
-        vertexArray.forget();
-        bytes = 0;
+        records.forget();
     }
+};
+
+/// How records are drawn that may be drawn more than once.
+struct Pass {
+    float strength = 1;  ///< share of their opacity
+    float grow = 0;      ///< of lines: pixels that are added to either side
+    float push = 0;      ///< of lines: depth by which they are moved back
+    float steep = 0;     ///< and how many pixels of their own slope
+};
+
+/// The program of lit surfaces, which draws from buffers that are not its own.
+struct SurfacePipeline {
+    Handle<ProgramTraits> program;
+    int clipUniform = -1;
+    int orientationUniform = -1;
+    int paintUniform = -1;
+
+    void forget() noexcept { program.forget(); }
+};
+
+/// What the program of surfaces is told about one of them.
+struct SurfaceView {
+    std::array<float, 16> clip{};        ///< by columns: positions to clip coordinates
+    std::array<float, 9> orientation{};  ///< by columns: normals to right, up and towards the eye
+    std::array<float, 4> paint{};        ///< sRGB and opacity
+};
+
+/// Vertices and triangles of a surface that stay on the GPU.
+struct SurfaceBuffers {
+    Handle<BufferTraits> vertices;
+    Handle<BufferTraits> indices;
+    Handle<VertexArrayTraits> vertexArray;
+    std::size_t vertexBytes = 0;
+    std::size_t corners = 0;  ///< of triangles, in `indices`
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return vertexBytes + corners * sizeof(std::uint32_t);
+    }
+    void forget() noexcept {
+        vertices.forget();
+        indices.forget();
+        vertexArray.forget();
+    }
+};
+
+/// A framebuffer with several samples a pixel and a depth for each.
+struct Target {
+    Handle<FramebufferTraits> framebuffer;
+    Handle<RenderbufferTraits> colour;
+    Handle<RenderbufferTraits> depth;
+    int width = 0;
+    int height = 0;
+    int samples = 0;
+
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+               static_cast<std::size_t>(samples) * 8;
+    }
+    void forget() noexcept {
+        framebuffer.forget();
+        colour.forget();
+        depth.forget();
+        width = height = samples = 0;
+    }
+};
+
+/// What depth does to what is drawn, and the other way round.
+enum class Depth {
+    ignored,
+    written,      ///< drawn where nothing is nearer, and nearer than the rest from then on
+    writtenOnly,  ///< the same without colour
+    masked,       ///< the same, by the share of a pixel's samples that its opacity is
+    nearer,       ///< drawn where nothing is nearer
+    farther,      ///< drawn where something is nearer
 };
 
 class Device {
@@ -116,13 +217,36 @@ public:
                                                 std::string_view fragmentShader,
                                                 const Layout& layout);
 
-    /// The state that painting relies on: premultiplied blending, scissor on, depth test off.
+    /// The state that painting relies on: premultiplied blending, scissor on, depth ignored.
     void prepare() noexcept;
     void setArea(const Rect& area) noexcept;  ///< viewport and scissor
     void clear(const scene::Colour& colour) noexcept;
-    /// Sends whole records and draws them. The uniform `view` gets the pane's width and height and
-    /// the position of its middle, in pixels.
-    void draw(Pipeline& pipeline, std::span<const std::byte> records, const Rect& pane) noexcept;
+    /// Records of their own for a pipeline of this layout.
+    [[nodiscard]] Records makeRecords(const Layout& layout);
+    void send(const Pipeline& pipeline, Records& records,
+              std::span<const std::byte> bytes) noexcept;
+    /// Draws what was sent. The uniform `view` gets the pane's width and height and the position of
+    /// its middle, in pixels.
+    void draw(const Pipeline& pipeline, const Records& records, const Rect& pane,
+              const Pass& pass = {}) noexcept;
+
+    [[nodiscard]] Result<SurfacePipeline> makeSurfacePipeline(std::string_view vertexShader,
+                                                              std::string_view fragmentShader);
+    [[nodiscard]] SurfaceBuffers makeSurfaceBuffers(const Layout& layout);
+    void sendVertices(SurfaceBuffers& buffers, std::span<const std::byte> records) noexcept;
+    void sendTriangles(SurfaceBuffers& buffers, std::span<const std::uint32_t> indices) noexcept;
+    /// The corners from `first` on, `count` of them.
+    void draw(const SurfacePipeline& pipeline, const SurfaceBuffers& buffers,
+              const SurfaceView& view, std::size_t first, std::size_t count) noexcept;
+
+    /// Everything is drawn into the target from now on, which has at least this size then; its
+    /// colour and depth are undefined. False, and nothing happened, where that cannot be had.
+    [[nodiscard]] bool beginTarget(Target& target, int width, int height) noexcept;
+    /// Copies an area of the target to where it lies in the canvas, into which everything is drawn
+    /// again.
+    void endTarget(const Target& target, const Rect& area) noexcept;
+    void clearDepth() noexcept;
+    void setDepth(Depth depth) noexcept;
     /// Leaves nothing bound.
     void release() noexcept;
 
