@@ -16,7 +16,7 @@ const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? class 
 
 const ofDocument = ['scene', 'src', 'state'];
 const ofLook = ['controls', 'aspect', 'theme', 'lang', 'readonly', 'motion', 'wheel-zoom'];
-const themes = ['auto', 'light', 'dark'];
+const themes = ['auto', 'light', 'dark', 'contrast'];
 
 export class KnotworkFigure extends Base {
     static get observedAttributes() {
@@ -92,6 +92,11 @@ export class KnotworkFigure extends Base {
         return this.#figure?.playing ?? false;
     }
 
+    /** Where the animation is, in [0, 1); 0 where nothing moves. */
+    get phase() {
+        return this.#figure?.phase ?? 0;
+    }
+
     undo() {
         this.#figure?.undo();
     }
@@ -121,7 +126,7 @@ export class KnotworkFigure extends Base {
     async exportAs(format, options) {
         const scene = this.#figure?.scene;
         if (!this.#figure || !scene) throw new KnotworkError('DISPOSED', '', 'The figure shows nothing yet.');
-        return exportFigure({ scene, canvas: this.#figure.view.canvas, theme: this.#wishes().theme }, format, options);
+        return exportFigure({ scene, view: this.#figure.view, theme: this.#wishes().theme }, format, options);
     }
 
     /** Frees everything at once; an element put into a page again begins anew. */
@@ -219,12 +224,11 @@ export class KnotworkFigure extends Base {
     /** @returns {import('./figure.mjs').Wishes} */
     #wishes() {
         const theme = this.getAttribute('theme') ?? this.#chosenTheme;
-        const wantsDark = theme === 'dark' || (theme !== 'light' && matches('(prefers-color-scheme: dark)'));
         return {
             words: this.#words(),
             controls: controlsFor(this.getAttribute('controls')),
             readOnly: this.hasAttribute('readonly'),
-            theme: wantsDark && !matches('print') ? 'dark' : 'light',
+            theme: shownTheme(theme),
             ownTheme: !this.hasAttribute('theme'),
             still: this.getAttribute('motion') === 'reduce' || matches('(prefers-reduced-motion: reduce)'),
             wheelZoom: this.getAttribute('wheel-zoom') ?? 'modifier',
@@ -261,6 +265,17 @@ export class KnotworkFigure extends Base {
 export function defineFigure() {
     const registry = globalThis.customElements;
     if (registry && !registry.get(tagName)) registry.define(tagName, KnotworkFigure);
+}
+
+/**
+ * What a wish for a theme comes to; paper is light.
+ * @param {string} theme
+ * @returns {'light' | 'dark' | 'contrast'}
+ */
+function shownTheme(theme) {
+    if (theme === 'contrast') return 'contrast';
+    const wantsDark = theme === 'dark' || (theme !== 'light' && matches('(prefers-color-scheme: dark)'));
+    return wantsDark && !matches('print') ? 'dark' : 'light';
 }
 
 /** @param {string} query */

@@ -38,9 +38,9 @@ export class FigureControls {
         this.#toolbar?.element.remove();
         this.#panel?.element.remove();
         this.#toolbar = new FigureToolbar(words, this.host.actions, wishes);
-        this.parts.picture.after(this.#toolbar.element);
+        this.parts.column.append(this.#toolbar.element);
         this.#panel = this.#makePanel(wishes);
-        if (this.#panel) this.#toolbar.element.after(this.#panel.element);
+        if (this.#panel) this.parts.column.after(this.#panel.element);
         this.#showPanel();
     }
 

@@ -1,9 +1,12 @@
 // What a figure can be saved as.
 
-import { isPlain } from './check.mjs';
+import { integer, isPlain, options as optionsOf } from './check.mjs';
 import { KnotworkError } from './errors.mjs';
 
-/** @typedef {{ scene: any, canvas: HTMLCanvasElement, theme: string }} Shown */
+/** @typedef {{ scene: any, view: import('./figure-view.mjs').FigureView, theme: string }} Shown */
+
+/** Pixels across of a PNG; some browsers have no larger canvas. */
+const widest = 8192;
 
 /** What the scene itself is written as. @type {Record<string, string>} */
 const types = {
@@ -15,11 +18,11 @@ const types = {
  * @param {Shown} figure
  * @param {string} format
  * @param {unknown} [options] as scene.exportAs() takes them; a picture has the size and the theme of
- * the figure unless they say otherwise
+ * the figure unless they say otherwise; a PNG takes `width` and `height` in pixels
  * @returns {Promise<Blob>}
  */
 export async function exportFigure(figure, format, options) {
-    if (format === 'png') return picture(figure.canvas);
+    if (format === 'png') return picture(figure.view, options);
     if (!Object.hasOwn(types, format)) {
         const known = ['png', ...Object.keys(types)].join(', ');
         throw new KnotworkError('NOT_SUPPORTED', 'format', `"${format}" cannot be exported; ${known} can.`);
@@ -33,13 +36,21 @@ export async function exportFigure(figure, format, options) {
 const isPlainObject = (value) => typeof value === 'object' && value !== null && isPlain(value);
 
 /** @param {Shown} figure */
-function asShown({ canvas, theme }) {
-    const { clientWidth: width, clientHeight: height } = canvas;
+function asShown({ view, theme }) {
+    const { clientWidth: width, clientHeight: height } = view.canvas;
     return width > 0 && height > 0 ? { width, height, theme } : { theme };
 }
 
-/** @param {HTMLCanvasElement} canvas @returns {Promise<Blob>} */
-function picture(canvas) {
+/**
+ * @param {import('./figure-view.mjs').FigureView} view
+ * @param {unknown} given
+ * @returns {Promise<Blob>}
+ */
+function picture(view, given) {
+    const { width, height } = optionsOf(given, ['width', 'height']);
+    const pixels = (/** @type {unknown} */ size, /** @type {string} */ name) =>
+        (size === undefined ? undefined : integer(size, name, 1, widest));
+    const canvas = view.shot(pixels(width, 'width'), pixels(height, 'height'));
     return new Promise((resolve, reject) => {
         const failed = () => new KnotworkError('OUT_OF_MEMORY', 'format', 'The picture could not be made into a PNG.');
         canvas.toBlob((blob) => (blob ? resolve(blob) : reject(failed())), 'image/png');

@@ -14,8 +14,9 @@ export function makeParts() {
     const about = el('p', { class: 'aside', attributes: { id: description } });
     const announcer = el('div', { class: 'aside', attributes: { role: 'status', 'aria-live': 'polite' } });
     const picture = el('div', { class: 'stage' }, fallback, wrapper, refusal);
-    const frame = el('div', { class: 'frame' }, picture, about, announcer);
-    return { frame, picture, wrapper, fallback, message, refusal, about, announcer };
+    const column = el('div', { class: 'column' }, picture);
+    const frame = el('div', { class: 'frame' }, column, about, announcer);
+    return { frame, column, picture, wrapper, fallback, message, refusal, about, announcer };
 }
 
 const announcementPause = 700;  // milliseconds: a run of changes is told once, when it is over

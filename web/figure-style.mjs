@@ -10,7 +10,7 @@ const layout = `
 .frame {
     ${tokens.light}
     display: grid;
-    grid-template: "stage" auto "toolbar" auto "values" auto / minmax(0, 1fr);
+    grid-template: "column" auto "values" auto / minmax(0, 1fr);
     background: var(--ground);
     color: var(--ink);
     font: 400 0.9375rem/1.5 system-ui, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-serif;
@@ -20,8 +20,14 @@ const layout = `
     position: relative;
 }
 .frame[data-theme="dark"] { ${tokens.dark} }
-.stage { grid-area: stage; position: relative; min-height: 12rem; aspect-ratio: 16 / 9;
+.frame[data-theme="contrast"] { ${tokens.contrast} }
+.column { grid-area: column; display: flex; flex-direction: column; min-width: 0;
+    height: var(--knotwork-column-height, auto); }
+.stage { position: relative; flex: 1 1 auto; min-height: 12rem; aspect-ratio: 16 / 9;
     width: 100%; height: var(--knotwork-height, auto); }
+:host(:fullscreen) .frame { border: 0; border-radius: 0; height: 100vh; overflow: auto; }
+:host(:fullscreen) .column { height: 100vh; }
+:host(:fullscreen) .stage { height: auto; }
 .view {
     position: absolute;
     inset: 0;
@@ -53,7 +59,7 @@ const layout = `
     white-space: nowrap; }
 @container (min-width: 60rem) {
     .frame[data-values] {
-        grid-template: "stage values" auto "toolbar values" auto / minmax(0, 1fr) minmax(20rem, 23rem);
+        grid-template: "column values" auto / minmax(0, 1fr) minmax(20rem, 23rem);
     }
     .frame[data-values] .values {
         border-block-start: 0;
@@ -67,7 +73,7 @@ const layout = `
 
 const toolbar = `
 .toolbar {
-    grid-area: toolbar;
+    flex: none;
     display: flex;
     flex-wrap: wrap;
     align-items: center;
@@ -219,7 +225,7 @@ const circumstances = `
 @media print {
     .toolbar, .values, .refusal { display: none !important; }
     .frame { border: 0; }
-    .frame, .frame[data-values] { grid-template: "stage" auto / minmax(0, 1fr); }
+    .frame, .frame[data-values] { grid-template: "column" auto / minmax(0, 1fr); }
 }
 @media (forced-colors: active) {
     input[type="range"], input[type="checkbox"] { appearance: auto; -webkit-appearance: auto; }

@@ -35,7 +35,7 @@ export class FigureView {
         this.#stage = stage;
         this.id = stage.add({
             visible: () => this.#onScreen && this.#width > 0 && this.#height > 0,
-            pixels: () => ({ width: this.#width, height: this.#height }),
+            pixels: () => this.#shot?.canvas ?? { width: this.#width, height: this.#height },
             copy: (source) => this.#copy(source),
             ticked: () => this.listener.ticked(),
             failed: (message) => this.listener.failed(message),
@@ -98,17 +98,56 @@ export class FigureView {
 
     /** @param {HTMLCanvasElement} source */
     #copy(source) {
-        const context = this.canvas.getContext('2d');
-        if (!context || !this.#stage) return;
-        const [width, height] = [this.#width, this.#height];
-        context.setTransform(1, 0, 0, 1, 0, 0);
-        context.globalCompositeOperation = 'copy';
-        context.drawImage(source, 0, source.height - height, width, height, 0, 0, width, height);
-        context.globalCompositeOperation = 'source-over';
-        context.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
-        drawLabels(context, JSON.parse(this.#stage.app.labels(this.id) || '[]'));
-        this.listener.painted();
+        if (!this.#stage) return;
+        copyPicture(this.#stage, this.id, source, this.#shot ?? { canvas: this.canvas, ratio: this.#ratio });
+        if (!this.#shot) this.listener.painted();
     }
+
+    /**
+     * The picture as it is shown, in so many pixels; what is left out follows from the other, and
+     * without both it is the canvas itself.
+     * @param {number} [width]
+     * @param {number} [height]
+     */
+    shot(width, height) {
+        const stage = this.#stage;
+        if (!stage || this.#width === 0 || (width === undefined && height === undefined)) return this.canvas;
+        const [cssWidth, cssHeight] = [this.#width / this.#ratio, this.#height / this.#ratio];
+        const ratio = width === undefined ? Number(height) / cssHeight : width / cssWidth;
+        const canvas = el('canvas');
+        canvas.width = width ?? Math.max(1, Math.round(cssWidth * ratio));
+        canvas.height = height ?? Math.max(1, Math.round(cssHeight * ratio));
+        this.#shot = { canvas, ratio };
+        stage.app.resize(this.id, canvas.width / ratio, canvas.height / ratio, ratio);
+        stage.paint(this.id);
+        this.#shot = undefined;
+        stage.app.resize(this.id, cssWidth, cssHeight, this.#ratio);
+        stage.paint(this.id);
+        return canvas;
+    }
+
+    /** What takes the picture in place of the canvas that is shown. @type {Target | undefined} */
+    #shot;
+}
+
+/** @typedef {{ canvas: HTMLCanvasElement, ratio: number }} Target device pixels a CSS pixel */
+
+/**
+ * @param {Stage} stage
+ * @param {number} id of the view
+ * @param {HTMLCanvasElement} source has the picture in its lower left corner
+ * @param {Target} target
+ */
+function copyPicture(stage, id, source, { canvas, ratio }) {
+    const context = canvas.getContext('2d');
+    if (!context) return;
+    const { width, height } = canvas;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.globalCompositeOperation = 'copy';
+    context.drawImage(source, 0, source.height - height, width, height, 0, 0, width, height);
+    context.globalCompositeOperation = 'source-over';
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    drawLabels(context, JSON.parse(stage.app.labels(id) || '[]'));
 }
 
 /**

@@ -17,7 +17,7 @@ import { sharedStage } from './stage.mjs';
  * @property {import('./words.mjs').Words} words
  * @property {string} controls
  * @property {boolean} readOnly
- * @property {'light' | 'dark'} theme
+ * @property {'light' | 'dark' | 'contrast'} theme
  * @property {boolean} ownTheme whether the figure chooses its theme itself
  * @property {boolean} still whether motion is to be reduced
  * @property {string} wheelZoom
@@ -95,6 +95,10 @@ export class Figure {
 
     get playing() {
         return this.#stage?.app.playing(this.view.id) ?? false;
+    }
+
+    get phase() {
+        return this.#stage?.app.phase(this.view.id) ?? 0;
     }
 
     /** Resolves as soon as the element has come into sight for the first time. */
@@ -364,7 +368,6 @@ export class Figure {
         if (!this.#stage) return;
         const { app } = this.#stage;
         app.setTheme(this.view.id, wishes.theme);
-        app.setWords(this.view.id, JSON.stringify(wishes.words.picture()));
         app.setWords(this.view.id, JSON.stringify(wishes.words.picture()));
         app.setReadOnly(this.view.id, wishes.readOnly);
         app.setReducedMotion(this.view.id, wishes.still);

@@ -1,16 +1,21 @@
-// The page: chooses what its one figure shows, and lets people open, share, and read it in their
-// language and light.
+// The page: chooses what its one figure shows, and lets people open, share, save, and read it in
+// their language and light.
 
+import { forgetKept, keepNow, keepSoon, kept } from './autosave.mjs';
+import { el, setText } from './dom.mjs';
 import { KnotworkFigure } from './element.mjs';
-import { el, icon, setText } from './dom.mjs';
+import { openExport } from './export-dialog.mjs';
 import { parseText } from './figure-source.mjs';
-import { icons } from './icons.mjs';
+import { openGallery } from './gallery.mjs';
+import { openHelp } from './help.mjs';
+import { acceptDrops, acceptPastes, documentOf, readFile, takesText } from './incoming.mjs';
+import { sceneButtons, themes, toolButtons } from './page-bar.mjs';
 import { remember, remembered } from './preferences.mjs';
+import { byTopic } from './topics.mjs';
 import { languageFor, languages, Words } from './words.mjs';
 
 const firstScene = 'butterfly';
-const themes = ['auto', 'light', 'dark'];
-const largestFile = 1024 * 1024;  // bytes: what a document may have
+const sayFor = 4000;  // milliseconds
 
 /**
  * @template {HTMLElement} T
@@ -25,14 +30,20 @@ class Page {
     sceneName = '';
     /** @type {any[]} */
     scenes = [];
+    theme = remembered('theme', themes) ?? 'auto';
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    sayTimer;
 
     constructor() {
         this.words = new Words(remembered('language', languages) ?? languageFor(navigator.language));
-        this.#setTheme(remembered('theme', themes) ?? 'auto');
+        this.#dress(this.theme);
         this.#speak();
-        this.#acceptDrops();
+        acceptDrops((file) => this.open(file));
+        acceptPastes((incoming) => this.open(incoming));
+        document.addEventListener('keydown', (event) => this.#key(event));
         window.addEventListener('hashchange', () => this.route());
-        this.figure.addEventListener('change', () => this.#title());
+        window.addEventListener('pagehide', () => keepNow());
+        this.figure.addEventListener('change', () => this.#changed());
     }
 
     async start() {
@@ -42,10 +53,13 @@ class Page {
             this.#refuse(error);
             return;
         }
-        this.scenes = this.kw.scenes;
-        this.#listScenes();
-        await this.route();
+        this.scenes = byTopic(this.kw.scenes).flatMap(({ scenes }) => scenes);
+        const last = location.hash || location.search ? undefined : kept();
+        if (last) await this.#restore(last);
+        else await this.route();
     }
+
+    // What is shown
 
     /** Shows what the address asks for; the butterfly stands in for what cannot be shown. */
     async route() {
@@ -55,6 +69,10 @@ class Page {
         else if (this.#isScene(asked)) await this.#show(async () => asked);
         else if (src) await this.#show(() => fetchDocument(this.words, src));
         else await this.#show(async () => firstScene);
+        await this.#showAnything();
+    }
+
+    async #showAnything() {
         if (!this.figure.scene) await this.figure.show(firstScene).then(() => this.#shown(firstScene), () => {});
     }
 
@@ -63,57 +81,93 @@ class Page {
         return this.scenes.some(({ id }) => id === name);
     }
 
-    /** @param {() => Promise<any>} find a document, or the name of a scene */
-    async #show(find) {
+    /**
+     * @param {() => Promise<any>} find a document, or the name of a scene
+     * @param {string} [of] the built-in scene that the document was
+     */
+    async #show(find, of = '') {
         try {
             const found = await find();
             await this.figure.show(found);
             this.#dismiss();
-            this.#shown(typeof found === 'string' ? found : '');
+            byId('notice').replaceChildren();
+            this.#shown(typeof found === 'string' ? found : of);
+            return true;
         } catch (error) {
             this.#refuse(error);
+            return false;
         }
+    }
+
+    /** @param {{ document: any, name: string }} last */
+    async #restore(last) {
+        if (!await this.#show(async () => last.document, last.name)) {
+            forgetKept();
+            await this.#showAnything();
+            return;
+        }
+        const anew = el('button', {
+            class: 'button-plain', text: this.words.text('page.anew'), attributes: { type: 'button' },
+            on: { click: () => this.#startAnew() },
+        });
+        byId('notice').replaceChildren(el('p', { text: this.words.text('page.restored') }), anew);
+    }
+
+    async #startAnew() {
+        forgetKept();
+        await this.#show(async () => (this.#isScene(this.sceneName) ? this.sceneName : firstScene));
+        byId('current').closest('button')?.focus();
     }
 
     /** @param {string} name */
     #shown(name) {
         this.sceneName = name;
         this.#title();
-        for (const link of byId('scenes').querySelectorAll('a')) {
-            const here = link.hash === `#${name}`;
-            if (here) link.setAttribute('aria-current', 'true');
-            else link.removeAttribute('aria-current');
-            if (here) bringIntoSight(byId('scenes'), link);
-        }
+    }
+
+    #changed() {
+        this.#title();
+        this.#keep();
+    }
+
+    #keep() {
+        keepSoon(() => ({ document: this.figure.value, name: this.sceneName }));
     }
 
     #title() {
         const { title, description } = this.figure.value ?? {};
         const shown = this.words.scene(this.sceneName, 'title', title || this.words.text('page.own'));
         setText(byId('title'), shown);
+        setText(byId('current'), shown);
         setText(byId('description'), this.words.scene(this.sceneName, 'description', description ?? ''));
         document.title = `${shown} – Knotwork`;
     }
 
-    #listScenes() {
-        // A link with nothing but a fragment, before the first that leads away, passes for one that
-        // skips to a place of the page.
-        const [here] = location.href.split('#', 1);
-        byId('scenes').replaceChildren(...this.scenes.map(({ id, title }) => el('a', {
-            text: this.words.scene(id, 'title', title), attributes: { href: `${here}#${id}` },
-        })));
+    /** @param {number} step */
+    #goBy(step) {
+        const count = this.scenes.length;
+        const here = this.scenes.findIndex(({ id }) => id === this.sceneName);
+        const next = here < 0 ? (step < 0 ? count - 1 : 0) : (here + step + count) % count;
+        if (count > 0) location.hash = this.scenes[next].id;
     }
 
-    // Opening and sharing
+    #openGallery() {
+        if (!this.kw) return;
+        const { words, kw, scenes, sceneName: shown } = this;
+        openGallery({ words, kw, scenes, shown, dark: this.#isDark() });
+    }
 
-    /** @param {File} file */
-    async open(file) {
-        await this.#show(async () => {
-            if (file.size > largestFile) {
-                throw { code: 'TOO_LARGE', message: this.words.text('page.file.size', { name: file.name }) };
-            }
-            return parseText(await file.text(), file.name);
+    // Coming in and going out
+
+    /** @param {File | import('./incoming.mjs').Incoming} incoming */
+    async open(incoming) {
+        const shown = await this.#show(async () => {
+            const read = incoming instanceof File ? await readFile(incoming, this.words) : incoming;
+            return documentOf(this.kw, read, this.words);
         });
+        if (!shown) return;
+        history.replaceState(null, '', location.pathname + location.search);
+        this.#keep();
     }
 
     async #share() {
@@ -127,21 +181,15 @@ class Page {
         this.#say(this.words.text(copied ? 'page.share.done' : 'page.share.shown'));
     }
 
-    #acceptDrops() {
-        const over = (/** @type {boolean} */ on) => document.body.toggleAttribute('data-dropping', on);
-        document.addEventListener('dragover', (event) => {
-            event.preventDefault();
-            over(true);
-        });
-        document.addEventListener('dragleave', (event) => {
-            if (!event.relatedTarget) over(false);
-        });
-        document.addEventListener('drop', (event) => {
-            event.preventDefault();
-            over(false);
-            const file = event.dataTransfer?.files[0];
-            if (file) this.open(file);
-        });
+    /** @param {KeyboardEvent} event */
+    #key(event) {
+        if (event.defaultPrevented || !(event.ctrlKey || event.metaKey) || event.altKey) return;
+        if (takesText(event.composedPath()[0]) || document.querySelector('dialog[open]')) return;
+        const key = event.key.toLowerCase();
+        if (key !== 'z' && key !== 'y') return;
+        event.preventDefault();
+        if (key === 'y' || event.shiftKey) this.figure.redo();
+        else this.figure.undo();
     }
 
     // Language and light
@@ -156,52 +204,44 @@ class Page {
             element.setAttribute('aria-label', this.words.text(element.getAttribute('data-words-label') ?? ''));
         }
         document.body.dataset.dropHere = this.words.text('page.drop');
-        this.#buildTools();
-        if (this.scenes.length > 0) this.#listScenes();
-        if (this.figure.scene) this.#shown(this.sceneName);
+        const actions = this.#actions();
+        byId('where').replaceChildren(...sceneButtons(this.words, actions));
+        byId('tools').replaceChildren(...toolButtons(this.words, actions, this.theme));
+        if (this.figure.scene) this.#title();
     }
 
-    #buildTools() {
-        const { words } = this;
-        const file = el('input', {
-            class: 'aside',
-            attributes: { type: 'file', accept: '.json,application/json', 'aria-label': words.text('page.open.label') },
-            on: {
-                change: () => {
-                    if (file.files?.[0]) this.open(file.files[0]);
-                    file.value = '';
-                },
+    /** @returns {import('./page-bar.mjs').BarActions} */
+    #actions() {
+        return {
+            gallery: () => this.#openGallery(),
+            step: (step) => this.#goBy(step),
+            open: (file) => this.open(file),
+            share: () => this.#share(),
+            save: () => this.figure.scene && openExport(this.words, this.figure),
+            fullScreen: () => this.figure.requestFullscreen().catch((error) => this.#say(String(error.message))),
+            help: () => openHelp(this.words),
+            speak: (language) => {
+                remember('language', language);
+                this.words = new Words(language);
+                this.#speak();
+                byId('tools').querySelector('select')?.focus();
             },
-        });
-        const open = el('label', { class: 'tool' }, icon(icons.open), el('span', { text: words.text('page.open') }), file);
-        const share = el('button', { class: 'tool', attributes: { type: 'button' }, on: { click: () => this.#share() } },
-            icon(icons.share), el('span', { text: words.text('page.share') }));
-        byId('tools').replaceChildren(open, share, this.#languageMenu(), this.#themeMenu());
+            dress: (theme) => {
+                remember('theme', theme);
+                this.#dress(theme);
+            },
+        };
     }
 
-    #languageMenu() {
-        const names = { en: 'English', nb: 'Norsk' };
-        return menu(this.words.text('page.language'), Object.entries(names), this.words.language, (language) => {
-            remember('language', language);
-            this.words = new Words(language);
-            this.#speak();
-            byId('tools').querySelector('select')?.focus();
-        });
-    }
-
-    #themeMenu() {
-        const entries = themes.map((theme) => /** @type {[string, string]} */ ([theme, this.words.text(`theme.${theme}`)]));
-        return menu(this.words.text('theme'), entries, this.theme ?? 'auto', (theme) => {
-            remember('theme', theme);
-            this.#setTheme(theme);
-        });
-    }
-
-    /** @param {string | undefined} theme */
-    #setTheme(theme = 'auto') {
+    /** @param {string} theme */
+    #dress(theme) {
         this.theme = theme;
         document.documentElement.dataset.theme = theme;
         this.figure.setAttribute('theme', theme);
+    }
+
+    #isDark() {
+        return this.theme === 'dark' || (this.theme === 'auto' && matchMedia('(prefers-color-scheme: dark)').matches);
     }
 
     // Telling
@@ -229,37 +269,8 @@ class Page {
         setText(byId('said'), sentence);
         byId('said').classList.add('shown');
         clearTimeout(this.sayTimer);
-        this.sayTimer = setTimeout(() => byId('said').classList.remove('shown'), 4000);
+        this.sayTimer = setTimeout(() => byId('said').classList.remove('shown'), sayFor);
     }
-
-    /** @type {ReturnType<typeof setTimeout> | undefined} */
-    sayTimer;
-}
-
-/**
- * Scrolls a row, and nothing else, so far that this item of it can be seen.
- * @param {HTMLElement} row
- * @param {HTMLElement} item
- */
-function bringIntoSight(row, item) {
-    const [outer, inner] = [row.getBoundingClientRect(), item.getBoundingClientRect()];
-    if (inner.left < outer.left) row.scrollLeft += inner.left - outer.left;
-    else if (inner.right > outer.right) row.scrollLeft += inner.right - outer.right;
-}
-
-/**
- * @param {string} label
- * @param {[string, string][]} entries value and text
- * @param {string} chosen
- * @param {(value: string) => void} choose
- */
-function menu(label, entries, chosen, choose) {
-    const options = entries.map(([value, text]) => el('option', { text, attributes: { value, selected: value === chosen } }));
-    const select = el('select', {
-        class: 'tool', attributes: { 'aria-label': label, title: label },
-        on: { change: () => choose(select.value) },
-    }, ...options);
-    return select;
 }
 
 /**

@@ -31,4 +31,18 @@ const dark = `
     --bad: #ff8f86;
     --bad-wash: #38211f;`;
 
-export const tokens = { light, dark };
+const contrast = `
+    color-scheme: light;
+    --ground: #ffffff;
+    --raised: #e6e6e6;
+    --line: #000000;
+    --edge: #000000;
+    --ink: #000000;
+    --quiet: #1c1c1c;
+    --accent: #0b2f9c;
+    --on-accent: #ffffff;
+    --wash: #dde6ff;
+    --bad: #8c0b0b;
+    --bad-wash: #ffecec;`;
+
+export const tokens = { light, dark, contrast };

@@ -9,7 +9,7 @@ import { assertSilent, documentOf, figureReady, openPage, pictureOf, settle, use
 
 const running = useBrowser();
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-const mebibyteOfDocument = 1024 * 1024;
+const largestFile = 4 * 1024 * 1024;
 
 const small = {
     knotwork: 1, title: 'A document of my own', description: 'Two hills.',
@@ -24,9 +24,10 @@ async function opened(path = '', options = {}) {
 
 const scenes = [['bspline-forms', 'B-spline: three forms'], ['b-functions', 'B-functions'], ['butterfly', 'Butterfly']];
 
-/** Goes to a scene by its link. */
+/** Goes to a scene by the gallery. */
 async function choose(page, id, title) {
-    await page.locator(`#scenes a[href$="#${id}"]`).click();
+    await page.getByRole('button', { name: 'Scenes' }).click();
+    await page.locator(`.gallery a[href$="#${id}"]`).click();
     await page.waitForFunction((text) => document.querySelector('h1').textContent === text, title);
     await settle(page);
 }
@@ -90,11 +91,11 @@ describe('the page', { timeout: 300_000 }, () => {
         await context.close();
     });
 
-    it('opens every built-in scene by its link, and says so in the title', async () => {
+    it('opens scenes from the gallery, and says so in the title', async () => {
         const { page, context, ...rest } = await opened();
         for (const [id, title] of scenes) {
             await choose(page, id, title);
-            assert.equal(await page.locator('#scenes [aria-current]').innerText(), title);
+            assert.equal(await page.title(), `${title} – Knotwork`);
         }
         await assertSilent({ page, ...rest });
         await context.close();
@@ -125,7 +126,7 @@ describe('the page', { timeout: 300_000 }, () => {
         await page.evaluate(() => {
             document.querySelector('knotwork-figure').scene.execute({ move: 'objects[0].points[2]', to: [0.5, 1.25] });
         });
-        await page.locator('#tools button').click();
+        await page.getByRole('button', { name: 'Copy link' }).click();
         await page.waitForFunction(() => location.hash.startsWith('#v1.'));
         const address = page.url();
         const there = await context.newPage();
@@ -142,7 +143,7 @@ describe('the page', { timeout: 300_000 }, () => {
         for (const [name, text, told] of [
             ['degree.json', JSON.stringify(broken), /objects\[0\]\.degree/],
             ['half.json', '{"knotwork": 1,', /SYNTAX/],
-            ['big.json', ' '.repeat(mebibyteOfDocument + 1), /TOO_LARGE/],
+            ['big.json', ' '.repeat(largestFile + 1), /TOO_LARGE/],
         ]) {
             await shown.page.locator('input[type=file]').setInputFiles({
                 name, mimeType: 'application/json', buffer: Buffer.from(text),
@@ -182,16 +183,17 @@ describe('the page', { timeout: 300_000 }, () => {
         await context.close();
     });
 
-    it('has the colours of its figure, light and dark', async () => {
-        for (const colorScheme of ['light', 'dark']) {
-            const { page, context } = await opened('', { colorScheme });
+    it('has the colours of its figure in every theme', async () => {
+        for (const theme of ['light', 'dark', 'contrast']) {
+            const { page, context } = await opened();
+            await page.getByRole('combobox', { name: 'Theme' }).selectOption(theme);
             const differing = await page.evaluate(() => {
                 const names = ['ground', 'raised', 'line', 'edge', 'ink', 'quiet', 'accent', 'wash', 'bad', 'bad-wash'];
                 const frame = document.querySelector('knotwork-figure').shadowRoot.querySelector('.frame');
                 const of = (element, name) => getComputedStyle(element).getPropertyValue(`--${name}`).trim();
                 return names.filter((name) => of(document.documentElement, name) !== of(frame, name));
             });
-            assert.deepEqual(differing, [], colorScheme);
+            assert.deepEqual(differing, [], theme);
             await context.close();
         }
     });

@@ -1,0 +1,90 @@
+// The dialog in which what is shown is saved as a file.
+
+import { openDialog } from './dialog.mjs';
+import { el, setText, uniqueId } from './dom.mjs';
+
+/** @typedef {import('./words.mjs').Words} Words */
+/** @typedef {import('./element-class.mjs').KnotworkFigure} KnotworkFigure */
+
+/** What can be saved; bodies are surfaces and meshes. @type {{ format: string, bodies?: boolean }[]} */
+const files = [
+    { format: 'svg' }, { format: 'png' }, { format: 'json' }, { format: 'csv' },
+    { format: 'obj', bodies: true }, { format: 'stl', bodies: true }, { format: 'gltf', bodies: true },
+];
+
+/** Pixels across of a picture; beyond the largest some browsers have no canvas. */
+const widths = { least: 16, usual: 1920, most: 8192 };
+
+/**
+ * @param {Words} words
+ * @param {KnotworkFigure} figure
+ */
+export function openExport(words, figure) {
+    const told = el('p', { class: 'told', attributes: { role: 'status' } });
+    const hasBodies = figure.value.objects.some((/** @type {{ type: string }} */ { type }) => /surface|triangle/.test(type));
+    const width = widthField(words);
+    const options = (/** @type {string} */ format) => ({
+        ...(['svg', 'csv', 'obj', 'stl', 'gltf'].includes(format) ? { phase: figure.phase } : {}),
+        ...(format === 'png' ? { width: width.value() } : {}),
+    });
+    const act = (/** @type {() => Promise<string>} */ work) => async () => {
+        setText(told, await work().catch((error) => words.refusal(error)));
+    };
+    const rows = files.filter(({ bodies }) => hasBodies || !bodies).map(({ format }) => row(words, format,
+        act(async () => save(words, await figure.exportAs(format, options(format)), fileName(figure, format))),
+        format === 'png' ? width.element : null));
+    const copy = row(words, 'js', act(() => copyCode(words, figure)), null);
+    return openDialog(words, words.text('page.export'), 'export', el('ul', { class: 'formats' }, ...rows, copy), told);
+}
+
+/**
+ * @param {Words} words
+ * @param {string} format
+ * @param {() => void} act
+ * @param {HTMLElement | null} more
+ */
+function row(words, format, act, more) {
+    const id = uniqueId('format');
+    const name = words.text(`export.${format}`);
+    const button = el('button', {
+        class: 'button-plain', text: words.text(format === 'js' ? 'export.copy' : 'export.save'),
+        attributes: { type: 'button', 'aria-describedby': id, 'aria-label': words.text(format === 'js' ? 'export.copy.label' : 'export.save.label', { name }) },
+        on: { click: act },
+    });
+    return el('li', { class: 'format' }, el('div', {}, el('strong', { text: name }),
+        el('span', { class: 'quiet', text: words.text(`export.${format}.about`), attributes: { id } }), more), button);
+}
+
+/** @param {Words} words */
+function widthField(words) {
+    const input = el('input', {
+        attributes: { type: 'number', min: widths.least, max: widths.most, step: 1, value: widths.usual, inputmode: 'numeric' },
+    });
+    const element = el('label', { class: 'width-field' }, `${words.text('export.width')} `, input);
+    return {
+        element,
+        value: () => Math.min(widths.most, Math.max(widths.least, Math.round(input.valueAsNumber || widths.usual))),
+    };
+}
+
+/** @param {Words} words @param {Blob} blob @param {string} name */
+function save(words, blob, name) {
+    const address = URL.createObjectURL(blob);
+    el('a', { attributes: { href: address, download: name } }).click();
+    setTimeout(() => URL.revokeObjectURL(address), 60_000);  // some browsers fetch it late
+    return words.text('export.saved', { name });
+}
+
+/** @param {Words} words @param {KnotworkFigure} figure */
+async function copyCode(words, figure) {
+    const code = await (await figure.exportAs('js')).text();
+    const copied = await navigator.clipboard?.writeText(code).then(() => true, () => false);
+    if (copied) return words.text('export.copied');
+    return save(words, new Blob([code], { type: 'text/javascript' }), fileName(figure, 'mjs'));
+}
+
+/** @param {KnotworkFigure} figure @param {string} extension */
+function fileName(figure, extension) {
+    const plain = (figure.value.title ?? '').normalize('NFKD').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '');
+    return `${plain || 'knotwork'}.${extension}`;
+}
