@@ -67,15 +67,20 @@ function fail(message) {
     process.exit(1);
 }
 
-/** Runs a command and keeps what it says; answers its exit status. */
-function run(command, ...args) {
-    const { status, signal, stdout, stderr, error } = spawnSync(command, args, { encoding: 'utf8', cwd: root, timeout: 600_000 });
+/** A mutant may make a test run for ever. */
+const longestTest = 600_000;  // milliseconds
+
+/** Runs a command, as long as it likes, and keeps what it says; answers its exit status. */
+const run = (command, ...args) => runFor(undefined, command, args);
+
+function runFor(timeout, command, args) {
+    const { status, signal, stdout, stderr, error } = spawnSync(command, args, { encoding: 'utf8', cwd: root, timeout });
     writeFileSync(log, `$ ${command} ${args.join(' ')}\n${stdout ?? ''}${stderr ?? error}\n`, { flag: 'a' });
     return { status: status ?? -1, signal, said: `${stdout}` };
 }
 
 const compiles = () => run('cmake', '--build', build).status === 0;
-const test = (filter) => run(path.join(build, 'knotwork_tests'), `--gtest_filter=${filter}`, '--gtest_color=no');
+const test = (filter) => runFor(longestTest, path.join(build, 'knotwork_tests'), [`--gtest_filter=${filter}`, '--gtest_color=no']);
 
 /** What comes of one mutant, in a word; `caught` is the good one. @param {import('./mutants.mjs').Mutant} mutant */
 function verdict({ file, find, replace, test: name }) {
