@@ -113,6 +113,11 @@ export class KnotworkFigure extends Base {
         this.#figure?.setPlaying(false);
     }
 
+    /** Goes on in the algorithm whose steps are shown, or back. @param {number} [by] */
+    step(by = 1) {
+        this.#figure?.step(by);
+    }
+
     reset() {
         this.#figure?.reset();
     }

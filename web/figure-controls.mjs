@@ -2,6 +2,7 @@
 
 import { setAttributes } from './dom.mjs';
 import { FigureToolbar } from './figure-toolbar.mjs';
+import { TraceStrip } from './figure-trace.mjs';
 import { ValuesPanel } from './values-panel.mjs';
 
 /**
@@ -9,6 +10,7 @@ import { ValuesPanel } from './values-panel.mjs';
  * @property {import('./figure-toolbar.mjs').Actions} actions
  * @property {() => any} kw undefined until the module is there
  * @property {(command: any, final: boolean) => any} run
+ * @property {(step: { source: string, frame: number, frames: number }) => void} stepped
  */
 
 export class FigureControls {
@@ -16,6 +18,8 @@ export class FigureControls {
     #toolbar;
     /** @type {ValuesPanel | undefined} */
     #panel;
+    /** @type {TraceStrip | undefined} */
+    #trace;
     #made = '';
     #open = true;
     #shownRevision = -1;
@@ -37,8 +41,11 @@ export class FigureControls {
         this.#made = made;
         this.#toolbar?.element.remove();
         this.#panel?.element.remove();
+        this.#dropTrace();
         this.#toolbar = new FigureToolbar(words, this.host.actions, wishes);
         this.parts.column.append(this.#toolbar.element);
+        this.#trace = this.#makeTrace(wishes);
+        if (this.#trace) this.#toolbar.element.before(this.#trace.element);
         this.#panel = this.#makePanel(wishes);
         if (this.#panel) this.parts.column.after(this.#panel.element);
         this.#showPanel();
@@ -54,6 +61,20 @@ export class FigureControls {
      */
     update(status) {
         this.#toolbar?.update({ ...status, values: this.#open });
+    }
+
+    /**
+     * Shows the trace as the scene has it; answers the sentence of another step, or ''.
+     * @param {any} document
+     * @param {number} selected object
+     */
+    showTrace(document, selected) {
+        return this.#trace?.update(document.objects, selected) ?? '';
+    }
+
+    /** @param {number} by */
+    step(by) {
+        this.#trace?.step(by, 'api');
     }
 
     /**
@@ -76,6 +97,21 @@ export class FigureControls {
         const kw = this.host.kw();
         if (!kw || !['full', 'values'].includes(controls)) return undefined;
         return new ValuesPanel({ words, kw, readOnly, run: this.host.run });
+    }
+
+    /** @param {import('./figure.mjs').Wishes} wishes */
+    #makeTrace({ words, controls }) {
+        const kw = this.host.kw();
+        return kw && controls !== 'none' ? new TraceStrip({ ...this.host, words, kw }) : undefined;
+    }
+
+    #dropTrace() {
+        this.#trace?.stop();
+        this.#trace?.element.remove();
+    }
+
+    dispose() {
+        this.#dropTrace();
     }
 
     #showPanel() {

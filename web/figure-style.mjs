@@ -133,6 +133,28 @@ input[type="range"]:disabled { opacity: 0.5; cursor: default; }
 }
 `;
 
+const trace = `
+.trace { flex: none; border-block-start: 1px solid var(--line); padding: 0.375rem 0.5rem 0.5rem 1.125rem; }
+.trace-bar { display: flex; flex-wrap: wrap; align-items: center; gap: 0 0.75rem; }
+.trace h2 { margin: 0; font-size: 0.9375rem; font-weight: 650; letter-spacing: -0.005em; }
+.trace-steps { display: flex; align-items: center; gap: 0.125rem; flex: 1 1 14rem; max-width: 30rem; }
+.trace-steps .count { min-width: 6.5rem; padding-inline-start: 0.5rem; font-size: 0.875rem; }
+.trace-bar > .button { margin-inline-start: auto; }
+.trace-body { display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr); gap: 0 1.5rem; height: 7.25rem; padding-inline-end: 0.625rem; overflow: auto; }
+.trace-body:focus-visible { outline: 2px solid var(--accent); }
+.trace h3 { margin: 0.125rem 0 0.125rem; font-size: 0.9375rem; font-weight: 600; }
+.trace p { margin: 0; color: var(--quiet); font-size: 0.9375rem; line-height: 1.45; text-wrap: pretty; }
+.trace-body > div:has(+ .formula:empty) { grid-column: 1 / -1; max-width: 80ch; }
+.formula:empty { display: none; }
+.formula math { font-size: 1.0625rem; }
+@container (max-width: 44rem) {
+    .trace { padding-inline: 0.875rem 0.375rem; }
+    .trace-body { grid-template-columns: minmax(0, 1fr); align-content: start; height: 11rem; }
+    .trace-steps { order: 1; flex-basis: 100%; max-width: none; margin-inline-start: -0.5rem; }
+    .trace-steps .count { min-width: 5.5rem; }
+}
+`;
+
 const values = `
 .values { grid-area: values; position: relative; border-block-start: 1px solid var(--line); font-size: 0.875rem; }
 .values-inner { padding: 0.25rem 1.125rem 1.5rem; }
@@ -223,7 +245,7 @@ const circumstances = `
     .frame { --line: var(--edge); --quiet: var(--ink); }
 }
 @media print {
-    .toolbar, .values, .refusal { display: none !important; }
+    .toolbar, .trace-bar .button, .trace-steps, .values, .refusal { display: none !important; }
     .frame { border: 0; }
     .frame, .frame[data-values] { grid-template: "column" auto / minmax(0, 1fr); }
 }
@@ -241,7 +263,7 @@ let sheet;
 export function figureSheet() {
     if (!sheet) {
         sheet = new CSSStyleSheet();
-        sheet.replaceSync(layout + toolbar + values + circumstances);
+        sheet.replaceSync(layout + toolbar + trace + values + circumstances);
     }
     return sheet;
 }

@@ -11,10 +11,11 @@ import { shapeSentence } from './shape.mjs';
  * @param {Parts} parts
  * @param {Words} words
  * @param {any} scene
+ * @param {any} document of the scene
  * @param {string} name of a built-in scene, or ''
  */
-export function describe(parts, words, scene, name) {
-    const { title, objects } = scene.document;
+export function describe(parts, words, scene, document, name) {
+    const { title, objects } = document;
     const shown = words.scene(name, 'title', title ?? '');
     parts.wrapper.setAttribute('aria-label', words.text('figure', { title: shown }));
     const labels = new Map(scene.schema.map((/** @type {any} */ o) => [o.object, o.label ?? o.type]));

@@ -67,6 +67,7 @@ export class Figure {
             actions: this.#actions(),
             kw: () => this.kw,
             run: (command, final) => this.#run(command, final),
+            stepped: (step) => this.host.emit('step', step),
         });
         this.view = new FigureView(this.#parts.wrapper, {
             ticked: () => this.#ticked(),
@@ -206,6 +207,11 @@ export class Figure {
         this.fit();
     }
 
+    /** @param {number} by */
+    step(by) {
+        this.controls.step(by);
+    }
+
     fit() {
         this.#stage?.app.fit(this.view.id);
         this.#request();
@@ -334,8 +340,10 @@ export class Figure {
         if (scene.revision === this.#toldRevision) return;
         const opened = this.#toldRevision < 0;
         this.#toldRevision = scene.revision;
-        const sentence = describe(this.#parts, this.host.wishes().words, scene, this.#sceneName);
-        if (!opened) this.#announcer.say(sentence);
+        const { document } = scene;
+        const sentence = describe(this.#parts, this.host.wishes().words, scene, document, this.#sceneName);
+        const step = this.controls.showTrace(document, this.selection?.object ?? -1);
+        if (!opened) this.#announcer.say(step || sentence);
     }
 
     #refreshToolbar() {
@@ -418,6 +426,7 @@ export class Figure {
     dispose() {
         this.#disposed = true;
         this.#announcer.silence();
+        this.controls.dispose();
         this.#lookedFor.resolve(undefined);
         this.#inSight.resolve(undefined);
         this.#showPicture();

@@ -86,3 +86,12 @@ export function pointCount(points) {
 export function localCount(object) {
     return Array.isArray(object.locals) ? object.locals.length : object.locals?.count ?? 0;
 }
+
+/**
+ * What makes the object itself, as kw.curve() and kw.surface() take it.
+ * @param {any} object of a canonical document
+ */
+export function bare(object) {
+    const { id, style, show, t, trace, ...spec } = object;
+    return spec;
+}

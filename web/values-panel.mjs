@@ -6,6 +6,7 @@ import { shapeSentence } from './shape.mjs';
 import { makeField } from './values-fields.mjs';
 import { makeList } from './values-lists.mjs';
 import { Readout } from './values-readout.mjs';
+import { TraceChoice } from './values-trace.mjs';
 
 /** @typedef {import('./values-fields.mjs').FieldDescription} FieldDescription */
 /** @typedef {{ object: string, type: string, label: string, fields: FieldDescription[] }} ObjectDescription */
@@ -66,6 +67,9 @@ function structureOf({ object, type, fields }) {
         [path, kind, min, max, choices, Array.isArray(value), kind === 'point' && value?.length])];
 }
 
+/** Fields whose controls stand elsewhere: above the others, and under the picture. */
+const ownControls = ['trace.algorithm', 'trace.frame'];
+
 /** The fields of one object under its name, and its readout. */
 class ObjectSection {
     /**
@@ -84,8 +88,10 @@ class ObjectSection {
             words: host.words, readOnly: host.readOnly, run: host.run,
             address: `objects[${index}]`, id: object.object, type: object.type,
         };
+        this.trace = new TraceChoice(around);
         const title = el('h2', { text: object.object });
-        this.element = el('div', {}, title, this.shape, ...this.#groups(object, around), this.readout.element);
+        this.element = el('div', {}, title, this.shape, this.trace.element, ...this.#groups(object, around),
+            this.readout.element);
     }
 
     /**
@@ -95,6 +101,7 @@ class ObjectSection {
     update(object, spec) {
         for (const field of object.fields) this.controls.get(field.path)?.update(field);
         setText(this.shape, shapeSentence(this.host.words, spec, this.label));
+        this.trace.update(spec);
         this.readout.update(spec);
     }
 
@@ -105,7 +112,7 @@ class ObjectSection {
     #groups(object, around) {
         /** @type {Map<string, FieldDescription[]>} */
         const groups = new Map();
-        for (const field of object.fields) {
+        for (const field of object.fields.filter(({ path }) => !ownControls.includes(path))) {
             const name = field.group ?? '';
             groups.set(name, [...(groups.get(name) ?? []), field]);
         }

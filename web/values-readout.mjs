@@ -1,7 +1,7 @@
 // The readout of an object: what the curve is, and where it stands at a parameter that one can move.
 
 import { el, setText, uniqueId } from './dom.mjs';
-import { className, continuityText, localCount, pointCount } from './shape.mjs';
+import { bare, className, continuityText, localCount, pointCount } from './shape.mjs';
 import { NumberInput } from './values-number.mjs';
 
 /** @typedef {import('./words.mjs').Words} Words */
@@ -76,7 +76,7 @@ export class Readout {
 
     /** @returns {[string, string][]} keys of words, and what stands beside them */
     #measure() {
-        const { id, style, show, ...spec } = this.#object;
+        const spec = bare(this.#object);
         const curve = this.kw.curve(spec);
         try {
             this.#domain = curve.domain;
