@@ -18,23 +18,27 @@ const arity = { m: 2, l: 2, h: 1, v: 1, c: 6, s: 4, q: 4, t: 2, a: 7, z: 0 };
 
 /**
  * @param {string} whole a document, or the data of one path
+ * @param {number} mostPieces
  * @returns {object[]} the specifications of curves
  */
-export function readPaths(whole) {
+export function readPaths(whole, mostPieces) {
     const paths = whole.trimStart().startsWith('<') ? pathsIn(whole) : [{ data: whole, at: 0 }];
-    const pieces = paths.flatMap(({ data, at }) => new PathReader(data, (offset) => placeOf(whole, at + offset)).read());
+    const pieces = [];
+    for (const { data, at } of paths) {
+        pieces.push(...new PathReader(data, (offset) => placeOf(whole, at + offset)).read());
+        if (pieces.length <= mostPieces) continue;
+        throw new KnotworkError('TOO_LARGE', 'text', `${placeOf(whole, at)}there are more than ${mostPieces} pieces of paths.`);
+    }
     if (pieces.length > 0) return pieces.map(curveOf);
     throw new KnotworkError('WRONG_LENGTH', 'text', 'There is no path here: give <path d="…"> or its data, as M0 0L1 1.');
 }
 
-/** The data of all paths of a document. @param {string} whole */
-function pathsIn(whole) {
-    const found = [];
+/** The data of all paths of a document, one after the other. @param {string} whole */
+function* pathsIn(whole) {
     for (const match of whole.matchAll(/<path\b[^<>]*?\sd\s*=\s*(?:"([^"<]*)"|'([^'<]*)')/gd)) {
         const group = match[1] === undefined ? 2 : 1;
-        found.push({ data: match[group], at: /** @type {any} */ (match).indices[group][0] });
+        yield { data: match[group], at: /** @type {any} */ (match).indices[group][0] };
     }
-    return found;
 }
 
 /** @param {string} whole @param {number} offset */

@@ -4,7 +4,9 @@
 import { KnotworkError } from './errors.mjs';
 
 const mostPoints = 100_000;
+const mostLines = 200_000;
 const mostCells = 1000;
+const mostLetters = 1000;
 const largest = 1e12;
 const decimal = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?$/;
 const parameterNames = ['t', 'u', 'v', 'w'];
@@ -15,16 +17,18 @@ const groupNames = ['object', 'id', 'name', 'curve'];
 /**
  * The points of a table, those of one name together, in the order in which they come.
  * @param {string} whole
+ * @param {number} mostNames
  * @returns {{ name: string, points: number[][] }[]}
  */
-export function readTable(whole) {
+export function readTable(whole, mostNames) {
     const separator = separatorOf(whole);
     const rows = rowsOf(whole, separator);
     if (rows.length === 0) throw refusal('WRONG_LENGTH', undefined, 'there is no point in it; give lines as 1.5,2 or 1.5,2,0');
     const commas = separator !== ',';
     const header = rows[0].some(({ text }) => text !== '' && !isNumber(text, commas)) ? rows.shift() : undefined;
     const columns = header ? namedColumns(header) : countedColumns(rows[0]);
-    return groups(rows, columns, commas);
+    if (header && rows.length === 0) throw refusal('WRONG_LENGTH', header[0], 'under these names stands no point');
+    return groups(rows, columns, commas, mostNames);
 }
 
 /** What parts the cells: the first line that is not empty says so. @param {string} whole */
@@ -106,6 +110,7 @@ class Scanner {
 
     #nextLine() {
         if (this.finished) return;
+        if (this.#line === mostLines) throw refusal('TOO_LARGE', this.#here(''), `a table has at most ${mostLines} lines`);
         this.#at += this.#text.startsWith('\r\n', this.#at) ? 2 : 1;
         ++this.#line;
         this.#lineStart = this.#at;
@@ -156,6 +161,7 @@ class Scanner {
             this.#at = end + 1;
             if (this.#text[this.#at] !== '"') break;
             inside += '"';
+            if (inside.length > mostLetters) throw refusal('TOO_LARGE', cell, `a cell has at most ${mostLetters} letters`);
             from = this.#at + 1;
         }
         this.#skipBlanks();
@@ -204,14 +210,18 @@ function countedColumns(row) {
  * @param {Cell[][]} rows
  * @param {Columns} columns
  * @param {boolean} commas
+ * @param {number} mostNames
  */
-function groups(rows, columns, commas) {
+function groups(rows, columns, commas, mostNames) {
     /** @type {Map<string, number[][]>} */
     const found = new Map();
     const used = [columns.x, columns.y, ...(columns.z < 0 ? [] : [columns.z])];
     for (const row of rows) {
         const name = columns.group < 0 ? '' : row[columns.group]?.text ?? '';
         const points = found.get(name) ?? [];
+        if (points.length === 0 && found.size === mostNames) {
+            throw refusal('TOO_LARGE', row[columns.group], `there are more than ${mostNames} names of objects`);
+        }
         points.push(used.map((column) => coordinate(row, column, commas)));
         found.set(name, points);
     }

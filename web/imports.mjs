@@ -12,6 +12,10 @@ const formats = /** @type {const} */ (['json', 'csv', 'obj', 'svg']);
 
 /** Letters of a text; a document that is made of it has at most 1 MiB all the same. */
 const mostLetters = 2 ** 22;
+/** Twice that, for blanks and ends of lines. */
+const mostLettersOfJson = 2 ** 21;
+/** Of a scene. */
+const mostObjects = 1000;
 
 /**
  * The canonical document of a text.
@@ -36,11 +40,11 @@ export function importDocument(core, given, settings) {
 /** @type {Record<typeof formats[number], (core: Core, text: string, as: 'points' | 'curve') => any>} */
 const readers = {
     json: (_core, whole) => readJson(whole),
-    csv: (_core, whole, as) => documentOf(readTable(whole).map(({ name, points }) => ({
+    csv: (_core, whole, as) => documentOf(readTable(whole, mostObjects).map(({ name, points }) => ({
         ...(name === '' ? {} : { id: name }), ...(as === 'points' ? cloudOf(points) : splineOf(points)),
     }))),
     obj: (core, whole) => documentOf([meshOf(core, whole)]),
-    svg: (_core, whole) => documentOf(readPaths(whole)),
+    svg: (_core, whole) => documentOf(readPaths(whole, mostObjects)),
 };
 
 /** @param {string} whole */
@@ -73,6 +77,9 @@ function meshOf(core, whole) {
 
 /** @param {string} whole */
 function readJson(whole) {
+    if (whole.length > mostLettersOfJson) {
+        throw new KnotworkError('TOO_LARGE', 'text', `A document has at most 1 MiB; this one has ${whole.length} letters.`);
+    }
     try {
         return JSON.parse(whole);
     } catch (error) {
