@@ -1,5 +1,7 @@
 #include "scene/effects.hpp"
 
+#include "geometry/turns.hpp"
+
 #include <cmath>
 #include <cstdint>
 
@@ -29,29 +31,18 @@ private:
 /// How far an effect has gone with one local curve or patch.
 struct Step {
     Vec3 by{0.0};
-    Vec3 axis{0.0, 0.0, 1.0};
-    double angle = 0;
+    Turn turn;
     Vec3 factor{1.0};
 };
 
 /// `pose` with a further step, its turn and scaling about the local's own origin.
 Pose moved(const Pose& pose, const Step& step) {
+    const Turn turn = compose(step.turn, {pose.axis, pose.angle});
     Pose next = pose;
     next.translate += step.by;
+    next.axis = turn.axis;
+    next.angle = turn.angle;
     next.scale *= step.factor;
-    if (step.angle == 0) return next;
-    if (pose.angle == 0) {
-        next.axis = step.axis;
-        next.angle = step.angle;
-        return next;
-    }
-    // Two turns about different axes make one: read axis and angle off the product matrix.
-    const Mat3 turn = rotation(step.axis, step.angle) * rotation(pose.axis, pose.angle);
-    const Vec3 twice(turn[1][2] - turn[2][1], turn[2][0] - turn[0][2], turn[0][1] - turn[1][0]);
-    const double trace = turn[0][0] + turn[1][1] + turn[2][2];
-    const double sine = glm::length(twice) / 2;
-    next.angle = std::atan2(sine, (trace - 1) / 2);
-    next.axis = sine > 0 ? twice : step.axis;
     return next;
 }
 
@@ -81,7 +72,7 @@ Body simulated(const Body& body, const Effect& effect, double weight) {
     for (Pose& pose : poses) {
         const Vec3 share(random.next(), random.next(), random.next());
         const double angle = random.next() * effect.angle;
-        pose = moved(pose, {weight * share * effect.translate, effect.axis, weight * angle});
+        pose = moved(pose, {weight * share * effect.translate, {effect.axis, weight * angle}});
     }
     return withPoses(body, poses);
 }
@@ -97,7 +88,7 @@ Mat3 scaling(const Vec3& factors) {
 
 /// A translation, a turn or a scaling of the whole object or of one local.
 void move(const Effect& effect, double weight, Placed& placed) {
-    const Step step{weight * effect.translate, effect.axis, weight * effect.angle,
+    const Step step{weight * effect.translate, {effect.axis, weight * effect.angle},
                     Vec3(1.0) + weight * (effect.factor - Vec3(1.0))};
     if (effect.local) {
         std::vector<Pose> poses = posesOf(placed.body);
@@ -106,7 +97,7 @@ void move(const Effect& effect, double weight, Placed& placed) {
         return;
     }
     const Mat3 map = effect.kind == EffectKind::scale ? scaling(step.factor)
-                                                      : rotation(step.axis, step.angle);
+                                                      : rotation(step.turn.axis, step.turn.angle);
     if (effect.kind == EffectKind::translate) {
         placed.placement.offset += step.by;
     } else {

@@ -89,6 +89,28 @@ TEST(Effects, SimulatingTurnsAPosedLocalFurther) {
     EXPECT_GT(glm::length(extra * Vec3(0, 0, 1) - Vec3(0, 0, 1)), 1e-3);
 }
 
+TEST(Effects, TurningATurnedLocalIsNowhereWorse) {
+    // About one axis the angles add up; where they make half a turn the product of their matrices is
+    // symmetric and hides the axis.
+    constexpr double half = 3.141592653589793;
+    const Vec3 axis(1, 2, -2);
+    for (const double past : {-1e-3, -1e-7, -1e-12, 0.0, 1e-10, 1e-5}) {
+        Scene scene = twoScene();
+        Json turn = json(R"({"set": "effects[0].rotate", "value": {"axis": [1, 2, -2]}})");
+        const double share = place(scene.state(), atPhase(0.5))[1]
+                                 .body.as<BlendingCurve>()->locals()[0].pose().angle;
+        Json pose = json(R"({"pose": {"object": "blend", "local": 0, "rotate": {"axis": [1, 2, -2]}}})");
+        pose["pose"]["rotate"]["angle"] = half + past - share;
+        turn["value"]["angle"] = 1;
+        ASSERT_TRUE(scene.execute(turn).ok());
+        ASSERT_TRUE(scene.execute(pose).ok());
+        const auto placed = place(scene.state(), atPhase(0.5))[1].body;
+        const Pose& found = placed.as<BlendingCurve>()->locals()[0].pose();
+        const Mat3 difference = rotation(found.axis, found.angle) - rotation(axis, half + past);
+        for (int k = 0; k < 3; ++k) EXPECT_LE(glm::length(difference[k]), 2e-15) << past;
+    }
+}
+
 TEST(Effects, EveryKindIsGoneAtPhaseZeroAndOne) {
     const Scene scene = Scene::open(json(everyEffect)).value();
     const auto rest = place(scene.state(), {});
