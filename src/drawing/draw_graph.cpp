@@ -21,13 +21,12 @@ void drawSquare(Sketch& sketch, const scene::FunctionGraph& graph) {
     }
 }
 
-/// D1 ✓  D2 ✓  D3 ✗ …; the first says what the next three say, and more.
+/// D1 ✓  D2 ✓  D3 ✗ …
 std::string checklist(const AxiomBreaches& breaches) {
+    const auto holds = axiomsThatHold(breaches);
     std::string text;
-    for (std::size_t k = 0; k < breaches.size(); ++k) {
-        const bool broken =
-            k == 0 ? breaches[0] || breaches[1] || breaches[2] || breaches[3] : breaches[k].has_value();
-        text += (k == 0 ? "" : "  ") + std::string(axiomNames[k]) + (broken ? " ✗" : " ✓");
+    for (std::size_t k = 0; k < holds.size(); ++k) {
+        text += (k == 0 ? "" : "  ") + std::string(axiomNames[k]) + (holds[k] ? " ✓" : " ✗");
     }
     return text;
 }

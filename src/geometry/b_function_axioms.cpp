@@ -157,4 +157,11 @@ AxiomBreaches axiomBreaches(const BFunction& blend) {
     return breaches;
 }
 
+std::array<bool, 5> axiomsThatHold(const AxiomBreaches& breaches) noexcept {
+    std::array<bool, 5> holds;
+    for (std::size_t k = 0; k < holds.size(); ++k) holds[k] = !breaches[k];
+    holds[inside] = holds[inside] && holds[startsAtZero] && holds[endsAtOne] && holds[monotone];
+    return holds;
+}
+
 }  // namespace knotwork

@@ -34,4 +34,8 @@ using AxiomBreaches = std::array<std::optional<AxiomBreach>, 5>;
 /// Of a B-function, which breaks at most D5.
 [[nodiscard]] AxiomBreaches axiomBreaches(const BFunction& blend);
 
+/// Which of them hold. D1 says what the next three say, and more, so it fails where one of them
+/// does.
+[[nodiscard]] std::array<bool, 5> axiomsThatHold(const AxiomBreaches& breaches) noexcept;
+
 }  // namespace knotwork

@@ -39,14 +39,13 @@ std::string whyNoHomeomorphism(const AxiomBreaches& breaches) {
                      : "it leaves [0, 1]: " + valueAt(*inside);
     }
     if (slope) return "it falls at t = " + readable(slope->t) + ", so it takes values twice";
-    if (start) return "it does not begin in 0";
-    return end ? "it does not end in 1" : "";
+    return start ? "it does not begin in 0" : "it does not end in 1";
 }
 
+/// Of an axiom that does not hold.
 std::string whyNot(std::size_t axiom, const AxiomBreaches& breaches) {
     if (axiom == 0) return whyNoHomeomorphism(breaches);
     const auto& breach = breaches[axiom];
-    if (!breach) return "";
     if (axiom < 3) return valueAt(*breach);
     const std::string t = readable(breach->t);
     if (axiom == 4) return "B(t) + B(1 − t) = " + readable(breach->found) + " at t = " + t;
@@ -58,10 +57,6 @@ std::string whyNot(std::size_t axiom, const AxiomBreaches& breaches) {
 
 double Candidate::value(double t) const noexcept {
     return std::visit([t](const auto& function) { return function.value(t); }, function_);
-}
-
-AxiomBreaches Candidate::breaches() const {
-    return std::visit([](const auto& function) { return axiomBreaches(function); }, function_);
 }
 
 Result<Made<Candidate>> makeCandidate(const Json& spec) {
@@ -78,18 +73,18 @@ Result<Made<Candidate>> makeCandidate(const Json& spec) {
 }
 
 Json describeAxioms(const Candidate& candidate) {
-    const AxiomBreaches breaches = candidate.breaches();
+    const AxiomBreaches& breaches = candidate.breaches();
+    const auto holds = axiomsThatHold(breaches);
     Json list = Json::array();
     for (std::size_t k = 0; k < breaches.size(); ++k) {
-        const std::string why = whyNot(k, breaches);
-        Json entry{{"axiom", axiomNames[k]}, {"statement", statements[k]}, {"holds", why.empty()}};
+        Json entry{{"axiom", axiomNames[k]}, {"statement", statements[k]}, {"holds", holds[k]}};
         const auto& breach = k == 0 && !breaches[0] ? breaches[3] : breaches[k];
-        if (!why.empty() && breach) {
+        if (!holds[k] && breach) {
             entry["t"] = breach->t;
             if (std::isfinite(breach->found)) entry["found"] = breach->found;
         }
-        entry["text"] = why.empty() ? std::string(statements[k]) + "." :
-                                      "Not so: " + why + ".";
+        entry["text"] = holds[k] ? std::string(statements[k]) + "."
+                                 : "Not so: " + whyNot(k, breaches) + ".";
         list.push_back(std::move(entry));
     }
     return list;

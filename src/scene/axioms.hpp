@@ -8,16 +8,17 @@
 
 namespace knotwork::scene {
 
-/// A B-function, or a formula that need not be one. Immutable.
+/// A B-function, or a formula that need not be one, looked at when it is made. Immutable.
 class Candidate {
 public:
-    Candidate(BFunction blend) : function_(std::move(blend)) {}
-    Candidate(Formula formula) : function_(std::move(formula)) {}
+    Candidate(BFunction blend) : breaches_(axiomBreaches(blend)), function_(std::move(blend)) {}
+    Candidate(Formula formula) : breaches_(axiomBreaches(formula)), function_(std::move(formula)) {}
 
     [[nodiscard]] double value(double t) const noexcept;
-    [[nodiscard]] AxiomBreaches breaches() const;
+    [[nodiscard]] const AxiomBreaches& breaches() const noexcept { return breaches_; }
 
 private:
+    AxiomBreaches breaches_;
     std::variant<BFunction, Formula> function_;
 };
 

@@ -67,6 +67,16 @@ TEST(Axioms, AValueThatIsTakenForAWhileIsTakenTwice) {
     EXPECT_FALSE(flat[3].has_value());
 }
 
+TEST(Axioms, TheFirstHoldsOnlyWhereTheNextThreeDo) {
+    using Holds = std::array<bool, 5>;
+    EXPECT_EQ(axiomsThatHold(breachesOf("t")), (Holds{true, true, true, true, true}));
+    EXPECT_EQ(axiomsThatHold(breachesOf("t^2")), (Holds{true, true, true, true, false}));
+    EXPECT_EQ(axiomsThatHold(breachesOf("(1 + t)/2")), (Holds{false, false, true, true, false}));
+    EXPECT_EQ(axiomsThatHold(breachesOf("t/2")), (Holds{false, true, false, true, false}));
+    EXPECT_EQ(axiomsThatHold(breachesOf("t - sin(2*pi*t)/4")),
+              (Holds{false, true, true, false, true}));
+}
+
 TEST(Axioms, ANarrowDipBetweenTheSamplesIsSeen) {
     // Slope 1 − 1.2/cosh²((t − 0.33337)·12000) is negative within a fifth of a step of the grid.
     const auto dip = breachesOf("t - 1e-4*tanh((t - 0.33337)*12000)")[3];
