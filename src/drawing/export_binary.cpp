@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <map>
 #include <utility>
@@ -81,11 +80,6 @@ constexpr int indexBuffer = 34963;
 constexpr int modePoints = 0;
 constexpr int modeLineStrip = 3;
 constexpr int modeTriangles = 4;
-
-/// sRGB to linear light, which is what materials are given in.
-double linearLight(double c) noexcept {
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
 
 struct Gltf {
     Json json = Json::object();
@@ -184,7 +178,8 @@ private:
         const auto [found, isNew] = materials_.try_emplace(name, materials_.size());
         if (isNew) {
             const Colour& c = part.colour;
-            const Json colour{linearLight(c.red), linearLight(c.green), linearLight(c.blue), 1.0};
+            const Json colour{scene::linearLight(c.red), scene::linearLight(c.green),
+                              scene::linearLight(c.blue), 1.0};
             const Json shine{{"baseColorFactor", colour},
                              {"metallicFactor", 0.0},
                              {"roughnessFactor", 0.6}};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace knotwork::drawing {
 
@@ -43,11 +42,8 @@ Colour cycleColour(std::size_t i, bool dark) noexcept {
 }
 
 double luminance(const Colour& colour) noexcept {
-    const auto linear = [](double c) {
-        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.red) + 0.7152 * linear(colour.green) +
-           0.0722 * linear(colour.blue);
+    return 0.2126 * scene::linearLight(colour.red) + 0.7152 * scene::linearLight(colour.green) +
+           0.0722 * scene::linearLight(colour.blue);
 }
 
 std::optional<Colour> objectColour(Role role, const Colour& colour, bool dark) noexcept {

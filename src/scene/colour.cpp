@@ -19,10 +19,6 @@ int hexDigit(char c) noexcept {
     return -1;
 }
 
-double toLinear(double c) noexcept {
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-
 double fromLinear(double c) noexcept {
     c = std::clamp(c, 0.0, 1.0);
     return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
@@ -31,9 +27,9 @@ double fromLinear(double c) noexcept {
 // Björn Ottosson, "A perceptual color space for image processing", 2020: linear sRGB to the cone
 // responses, their cube roots to lightness and two opponent axes, and the way back.
 Vec3 toOklab(const Colour& colour) noexcept {
-    const double r = toLinear(colour.red);
-    const double g = toLinear(colour.green);
-    const double b = toLinear(colour.blue);
+    const double r = linearLight(colour.red);
+    const double g = linearLight(colour.green);
+    const double b = linearLight(colour.blue);
     const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
     const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
     const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
@@ -56,6 +52,10 @@ Colour fromOklab(const Vec3& lab, double alpha) noexcept {
 constexpr double greyChroma = 1e-4;
 
 }  // namespace
+
+double linearLight(double component) noexcept {
+    return component <= 0.04045 ? component / 12.92 : std::pow((component + 0.055) / 1.055, 2.4);
+}
 
 Result<Colour> parseColour(std::string_view text) {
     std::array<int, 6> digits{};

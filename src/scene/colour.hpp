@@ -21,6 +21,9 @@ struct Colour {
 [[nodiscard]] Result<Colour> parseColour(std::string_view text);
 [[nodiscard]] std::string formatColour(const Colour& colour);
 
+/// A component of sRGB as linear light (IEC 61966-2-1).
+[[nodiscard]] double linearLight(double component) noexcept;
+
 /// From `a` at s = 0 to `b` at s = 1 along lightness, chroma and the shorter way round in hue; the
 /// ends are exact and the result is clamped to the sRGB gamut.
 [[nodiscard]] Colour mixColours(const Colour& a, const Colour& b, double s) noexcept;
