@@ -2,6 +2,7 @@
 
 #include "geometry/mesh_schemes.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
@@ -108,6 +109,12 @@ std::optional<Error> checkFaces(const Mesh& mesh, MeshScheme scheme) {
 }
 
 }  // namespace
+
+std::optional<MeshScheme> meshSchemeNamed(std::string_view name) noexcept {
+    const auto found = std::find(meshSchemeNames.begin(), meshSchemeNames.end(), name);
+    if (found == meshSchemeNames.end()) return std::nullopt;
+    return static_cast<MeshScheme>(found - meshSchemeNames.begin());
+}
 
 MeshClassification classification(MeshScheme scheme) noexcept {
     switch (scheme) {

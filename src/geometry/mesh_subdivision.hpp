@@ -36,6 +36,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -46,6 +47,7 @@ enum class MeshScheme { catmullClark, dooSabin, loop, butterfly, sqrt3 };
 /// Their public names, in the order of MeshScheme.
 inline constexpr std::array<std::string_view, 5> meshSchemeNames{"catmull-clark", "doo-sabin",
                                                                  "loop", "butterfly", "sqrt3"};
+[[nodiscard]] std::optional<MeshScheme> meshSchemeNamed(std::string_view name) noexcept;
 
 /// How smooth the limit is: `regular` where all valences are, `extraordinary` elsewhere inside.
 struct MeshClassification {
@@ -75,9 +77,9 @@ struct MeshLimit {
 /// By the eigenvectors of the scheme around a vertex; on a boundary that of the boundary's curve
 /// and the strongest of those that cross it. Where several fans meet in a vertex, the normal is the
 /// mean of theirs. Refusals: NOT_SUPPORTED `scheme` for Doo–Sabin, whose limit points belong to
-/// faces, and `creases` where there are any; `faces[i]` as subdivide(); TOO_LARGE at the empty path for a mesh of which one finer
-/// level is needed (Catmull–Clark unless all faces are quads; Butterfly) that would be too large.
-/// O(n).
+/// faces, and `creases` where there are any; `faces[i]` as subdivide(); TOO_LARGE at the empty path for
+/// a mesh of which one finer level is needed (Catmull–Clark unless all faces are quads; Butterfly)
+/// that would be too large. O(n).
 [[nodiscard]] Result<MeshLimit> limit(const Mesh& mesh, MeshScheme scheme);
 
 }  // namespace knotwork

@@ -1,4 +1,5 @@
 // Meshes and clouds: faces follow vertices, fits follow points.
+#include "geometry/mesh_subdivision.hpp"
 #include "geometry/triangulation.hpp"
 #include "scene/adaptation_parts.hpp"
 #include "scene/mesh_specs.hpp"
@@ -54,8 +55,8 @@ Json followVertices(const Json& before, Json mesh) {
 }
 
 bool wantsTriangles(const Json& surface) {
-    const std::string scheme = stringOr(surface, "scheme", "");
-    return scheme == "loop" || scheme == "butterfly" || scheme == "sqrt3";
+    const auto scheme = meshSchemeNamed(stringOr(surface, "scheme", ""));
+    return scheme && classification(*scheme).mesh == "triangles";
 }
 
 /// The mesh in triangles, where it can be cut into them.

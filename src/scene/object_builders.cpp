@@ -14,16 +14,11 @@ namespace knotwork::scene {
 
 namespace {
 
-MeshScheme meshSchemeNamed(std::string_view name) noexcept {
-    const auto found = std::find(meshSchemeNames.begin(), meshSchemeNames.end(), name);
-    return static_cast<MeshScheme>(found - meshSchemeNames.begin());
-}
-
 Result<Body> buildSubdivisionSurface(Json& spec) {
     auto control = makeMesh(*member(spec, "mesh"));
     if (!control) return control.error().under("mesh");
     spec["mesh"] = std::move(control->spec);
-    const MeshScheme scheme = meshSchemeNamed(stringOr(spec, "scheme", ""));
+    const MeshScheme scheme = *meshSchemeNamed(stringOr(spec, "scheme", ""));
     const auto levels = static_cast<int>(numberOr(spec, "levels", 0));
     auto refined = subdivide(control->value, scheme, levels);
     if (!refined) {
