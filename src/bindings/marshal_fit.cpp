@@ -3,10 +3,10 @@
 #include "bindings/marshal.hpp"
 #include "bindings/marshal_lists.hpp"
 #include "scene/fields.hpp"
-#include "scene/form_names.hpp"
 #include "scene/fit_fields.hpp"
+#include "scene/fit_specs.hpp"
+#include "scene/form_names.hpp"
 #include "scene/json_values.hpp"
-#include "scene/object_builders.hpp"
 #include "scene/validation.hpp"
 
 #include <algorithm>
@@ -70,10 +70,9 @@ bool takePoints(const CborItem& item, LongList<Vec3>& points) {
 
 bool takeParameters(const CborItem& item, FitInput& input) {
     if (item.kind == Kind::text) {
-        input.request.parameters = scene::parametrisationNamed(item.text());
-        return std::any_of(scene::parametrisationChoices.begin(),
-                           scene::parametrisationChoices.end(),
-                           [&item](const Choice& one) { return one.value == item.text(); });
+        const auto named = scene::parametrisationNamed(item.text());
+        if (named) input.request.parameters = *named;
+        return named.has_value();
     }
     auto found = findNumbers(item, maxDataCount);
     if (!found) return false;
@@ -181,24 +180,14 @@ Result<FitInput> readRequest(std::span<const std::uint8_t> bytes, std::span<cons
     if (!fields) return fields.error();
     FitInput input;
     input.points = pointsOf(*fields);
-    FitRequest& request = input.request;
-    request.degree = static_cast<int>(scene::numberOr(*fields, "degree", 0));
-    request.count = static_cast<int>(scene::numberOr(*fields, "count", 0));
-    request.form = *scene::formNamed(scene::stringOr(*fields, "form", ""));
+    input.request = scene::fitRequestOf(*fields);
     if (const Json& given = *scene::member(*fields, "parameters"); given.is_array()) {
         input.parameters = copied(scene::numbersOf(given));
-        request.parameters = input.parameters.all;
-    } else {
-        request.parameters = scene::parametrisationNamed(given.get<std::string>());
+        input.request.parameters = input.parameters.all;
     }
-    request.options.smoothing = scene::numberOr(*fields, "smoothing", 0);
-    request.options.interpolateEnds = scene::flagOr(*fields, "interpolateEnds", false);
-    if (const Json* knots = scene::member(*fields, "knots")) {
-        request.knots = scene::numbersOf(*knots);
-        if (request.knots.empty()) {
-            return refuse(Code::knotsCount, "knots",
-                          "the list of knots is empty; leave it out for the default knots");
-        }
+    if (scene::member(*fields, "knots") != nullptr && input.request.knots.empty()) {
+        return refuse(Code::knotsCount, "knots",
+                      "the list of knots is empty; leave it out for the default knots");
     }
     return input;
 }

@@ -1,6 +1,6 @@
 #include "scene/object_builders.hpp"
 
-#include "scene/form_names.hpp"
+#include "scene/fit_specs.hpp"
 #include "scene/json_values.hpp"
 #include "scene/mesh_specs.hpp"
 #include "scene/spec_builders.hpp"
@@ -32,14 +32,7 @@ Result<Body> buildSubdivisionSurface(Json& spec) {
 Result<std::optional<Fit>> buildFit(const Json& spec, std::span<const Vec3> points) {
     const Json* asked = member(spec, "fit");
     if (asked == nullptr) return std::optional<Fit>();
-    FitRequest request;
-    request.degree = static_cast<int>(numberOr(*asked, "degree", 0));
-    request.count = static_cast<int>(numberOr(*asked, "count", 0));
-    request.form = *formNamed(stringOr(*asked, "form", ""));
-    request.parameters = parametrisationNamed(stringOr(*asked, "parameters", ""));
-    request.options.smoothing = numberOr(*asked, "smoothing", 0);
-    request.options.interpolateEnds = flagOr(*asked, "interpolateEnds", false);
-    auto fit = fitCurve(points, std::move(request));
+    auto fit = fitCurve(points, fitRequestOf(*asked));
     if (fit) return std::optional(std::move(*fit));
     const Error& error = fit.error();
     return error.path.starts_with("points") ? error : error.under("fit");
@@ -116,12 +109,6 @@ Result<Made<Body>> remakeObject(Json spec) {
 std::string_view objectTypeLabel(const Json& spec) noexcept {
     const ObjectType* type = findObjectType(stringOr(spec, "type", ""));
     return type != nullptr ? type->label : std::string_view();
-}
-
-Parametrisation parametrisationNamed(std::string_view name) noexcept {
-    return name == "uniform"       ? Parametrisation::uniform
-           : name == "centripetal" ? Parametrisation::centripetal
-                                   : Parametrisation::chord;
 }
 
 }  // namespace knotwork::scene

@@ -1,7 +1,6 @@
 // Objects of a scene: from specifications of any type to bodies.
 #pragma once
 
-#include "geometry/parametrisation.hpp"
 #include "scene/body.hpp"
 #include "scene/specs.hpp"
 
@@ -10,8 +9,8 @@
 namespace knotwork::scene {
 
 /// An object of a scene: the specification of a curve, a surface, a subdivision surface, a cloud of
-/// points or a proposed B-function, with `id`, `style` and `show`, the last two filled in; an id that was left out stays
-/// out.
+/// points or a proposed B-function, with `id`, `style` and `show`, the last two filled in; an id that
+/// was left out stays out.
 [[nodiscard]] Result<Made<Body>> makeObject(const Json& spec);
 
 /// The same of a specification that is canonical, but for points that were checked: it is not checked
@@ -19,8 +18,5 @@ namespace knotwork::scene {
 [[nodiscard]] Result<Made<Body>> remakeObject(Json spec);
 
 [[nodiscard]] std::string_view objectTypeLabel(const Json& spec) noexcept;
-
-/// Of a checked name.
-[[nodiscard]] Parametrisation parametrisationNamed(std::string_view name) noexcept;
 
 }  // namespace knotwork::scene
