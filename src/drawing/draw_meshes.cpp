@@ -1,6 +1,7 @@
 // What subdivision surfaces consist of: the refined mesh as triangles and as wires, and the control
 // mesh around it.
 #include "drawing/measures.hpp"
+#include "drawing/normals.hpp"
 #include "geometry/triangulation.hpp"
 #include "scene/json_values.hpp"
 
@@ -13,11 +14,7 @@ void drawTriangles(Sketch& sketch, const Mesh& mesh) {
     append(shape, mesh.points());
     shape.normals.resize(shape.positions.size());
     vertexNormals(mesh, shape.normals);
-    for (std::size_t i = 0; i < shape.normals.size(); i += 3) {
-        // Vertices without faces, or with faces without area, have none: any is as good.
-        const auto* n = &shape.normals[i];
-        if (n[0] == 0 && n[1] == 0 && n[2] == 0) shape.normals[i + 2] = 1;
-    }
+    completeNormals(shape.normals);
     shape.indices = triangleIndices(mesh);
 }
 

@@ -1,6 +1,7 @@
 #include "drawing/export_parts.hpp"
 
 #include "drawing/extent.hpp"
+#include "drawing/normals.hpp"
 #include "geometry/surface_tessellation.hpp"
 #include "geometry/tessellation.hpp"
 #include "geometry/triangulation.hpp"
@@ -16,11 +17,6 @@ namespace {
 constexpr double curveShare = 1e-4;
 constexpr double surfaceShare = 1e-3;
 constexpr std::size_t graphChords = 256;
-
-/// The normals of a surface under a map: the matrix of its cofactors.
-Mat3 cofactors(const Mat3& m) noexcept {
-    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
 
 class PartMaker {
 public:
@@ -133,17 +129,9 @@ private:
 
     /// Turns the normals with the object, and the faces where a reflection has turned them over.
     static void orient(ExportPart& part, const Mat3& map) {
-        const bool reflected = glm::determinant(map) < 0;
-        const Mat3 turn = reflected ? -1.0 * cofactors(map) : cofactors(map);
-        for (std::size_t i = 0; i < part.normals.size(); i += 3) {
-            double* n = part.normals.data() + i;
-            const Vec3 turned = turn * Vec3(n[0], n[1], n[2]);
-            const double length = glm::length(turned);
-            // A vertex without a normal gets one all the same: formats have no place for none.
-            const Vec3 unit = length > 0 ? turned / length : Vec3(0, 0, 1);
-            n[0] = unit.x, n[1] = unit.y, n[2] = unit.z;
-        }
-        if (!reflected) return;
+        turnNormals(part.normals, map);
+        completeNormals(part.normals);  // formats have no place for none
+        if (!mirrors(map)) return;
         reverseFaces(part.triangles, {});
         reverseFaces(part.corners, part.starts);
     }

@@ -1,5 +1,6 @@
 #include "drawing/sketch.hpp"
 
+#include "drawing/normals.hpp"
 #include "drawing/palette.hpp"
 #include "geometry/tessellation.hpp"
 
@@ -23,25 +24,9 @@ double stretchOf(const Mat3& linear) noexcept {
     return std::sqrt(square);
 }
 
-/// How normals go along with points: by the cofactors, turned round where the map mirrors.
-Mat3 normalMap(const Mat3& m) noexcept {
-    const Mat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-    return glm::dot(m[0], cofactors[0]) < 0 ? Mat3(-cofactors[0], -cofactors[1], -cofactors[2])
-                                            : cofactors;
-}
-
 void placeNormals(Shape& shape, const Mat3& linear) noexcept {
-    const Mat3 map = normalMap(linear);
-    for (std::size_t i = 0; i < shape.normals.size(); i += 3) {
-        const Vec3 turned =
-            map * Vec3(shape.normals[i], shape.normals[i + 1], shape.normals[i + 2]);
-        const double length = glm::length(turned);
-        if (!(length > 0)) continue;
-        for (int c = 0; c < 3; ++c) {
-            shape.normals[i + static_cast<std::size_t>(c)] = turned[c] / length;
-        }
-    }
-    if (!(glm::dot(glm::cross(linear[0], linear[1]), linear[2]) < 0)) return;
+    turnNormals(shape.normals, linear);
+    if (!mirrors(linear)) return;
     for (std::size_t i = 0; i + 2 < shape.indices.size(); i += 3) {
         std::swap(shape.indices[i + 1], shape.indices[i + 2]);
     }

@@ -1,5 +1,6 @@
 #include "drawing/surface_samples.hpp"
 
+#include "drawing/normals.hpp"
 #include "geometry/surface_grid.hpp"
 #include "geometry/surface_tessellation.hpp"
 
@@ -195,17 +196,6 @@ std::optional<SurfaceSamples> cellByCell(const Surface& surface, double toleranc
                               std::move(made->triangles)};
     }
     return std::nullopt;
-}
-
-/// Poles and cusps have no normal of their own: any is as good as another.
-void completeNormals(std::vector<double>& normals) noexcept {
-    for (std::size_t i = 0; i < normals.size(); i += 3) {
-        const double square = normals[i] * normals[i] + normals[i + 1] * normals[i + 1] +
-                              normals[i + 2] * normals[i + 2];
-        if (square > 0.5) continue;
-        normals[i] = normals[i + 1] = 0;
-        normals[i + 2] = 1;
-    }
 }
 
 std::vector<double> thinned(std::vector<double> lines) {
