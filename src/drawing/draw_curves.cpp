@@ -6,15 +6,6 @@ namespace knotwork::drawing {
 
 namespace {
 
-void drawHandles(Sketch& sketch, const BlendingCurve& blend) {
-    Shape& shape = sketch.add(Role::handle, Kind::points, 10);
-    shape.square = true;
-    shape.path = sketch.path("poses");
-    for (const LocalCurve& local : blend.locals()) {
-        append(shape, local.placement().point(local.origin()));
-    }
-}
-
 /// A local curve over part of its support.
 void drawLocalPart(Sketch& sketch, const LocalCurve& local, std::size_t j, const Interval& part,
                    bool dashed) {
@@ -72,6 +63,21 @@ void drawKnotsOnCurve(Sketch& sketch, const Curve& curve, std::span<const double
     }
 }
 
+std::vector<Vec3> handlePoints(const BlendingCurve& blend) {
+    std::vector<Vec3> points;
+    for (const LocalCurve& local : blend.locals()) {
+        points.push_back(local.placement().point(local.origin()));
+    }
+    return points;
+}
+
+void drawHandles(Sketch& sketch, std::span<const Vec3> points) {
+    Shape& shape = sketch.add(Role::handle, Kind::points, 10);
+    shape.square = true;
+    shape.path = sketch.path("poses");
+    append(shape, points);
+}
+
 void drawCurveFigure(Sketch& sketch, const Curve& curve) {
     const scene::Show& show = sketch.show();
     const auto* blend = curve.as<BlendingCurve>();
@@ -93,7 +99,7 @@ void drawCurveFigure(Sketch& sketch, const Curve& curve) {
         shape.path = sketch.path("points");
         append(shape, control.points);
     }
-    if (blend != nullptr && show.handles) drawHandles(sketch, *blend);
+    if (blend != nullptr && show.handles) drawHandles(sketch, handlePoints(*blend));
 }
 
 }  // namespace knotwork::drawing

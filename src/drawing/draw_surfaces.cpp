@@ -81,18 +81,6 @@ void drawNetPoints(Sketch& sketch, const BsplineSurface& spline) {
     }
 }
 
-void drawPatchHandles(Sketch& sketch, const BlendingSurface& blend) {
-    Shape& shape = sketch.add(Role::handle, Kind::points, 10);
-    shape.square = true;
-    shape.path = sketch.path("poses");
-    for (std::size_t i = 0; i < blend.alongU().count; ++i) {
-        for (std::size_t j = 0; j < blend.alongV().count; ++j) {
-            const PatchPlace& place = blend.place(i, j);
-            append(shape, place.placement().point(place.origin()));
-        }
-    }
-}
-
 void drawSphereAround(Sketch& sketch, const SurfaceSamples& samples) {
     std::vector<Vec3> points;
     points.reserve(samples.positions.size() / 3);
@@ -141,6 +129,17 @@ void drawPatches(Sketch& sketch, const BlendingSurface& blend) {
 
 }  // namespace
 
+std::vector<Vec3> handlePoints(const BlendingSurface& blend) {
+    std::vector<Vec3> points;
+    for (std::size_t i = 0; i < blend.alongU().count; ++i) {
+        for (std::size_t j = 0; j < blend.alongV().count; ++j) {
+            const PatchPlace& place = blend.place(i, j);
+            points.push_back(place.placement().point(place.origin()));
+        }
+    }
+    return points;
+}
+
 void drawSurfaceFigure(Sketch& sketch, const Surface& surface) {
     const scene::Show& show = sketch.show();
     if (show.surface || show.isolines || show.wireframe || show.sphere) {
@@ -160,7 +159,7 @@ void drawSurfaceFigure(Sketch& sketch, const Surface& surface) {
     if (blend != nullptr && show.locals) drawPatches(sketch, *blend);
     if (spline != nullptr && show.polygon) drawNet(sketch, *spline);
     if (spline != nullptr && show.points) drawNetPoints(sketch, *spline);
-    if (blend != nullptr && show.handles) drawPatchHandles(sketch, *blend);
+    if (blend != nullptr && show.handles) drawHandles(sketch, handlePoints(*blend));
 }
 
 }  // namespace knotwork::drawing

@@ -7,11 +7,21 @@
 
 namespace knotwork::drawing {
 
-void drawTrace(Sketch& sketch) {
-    const scene::Object& object = sketch.object();
-    if (object.trace == nullptr || object.traceFrame >= object.trace->frames.size()) return;
+namespace {
+
+/// The frame that is shown, if there is one with anything to see.
+const scene::TraceFrame* shownFrame(const scene::Object& object) noexcept {
+    if (object.trace == nullptr || object.traceFrame >= object.trace->frames.size()) return nullptr;
     const scene::TraceFrame& frame = object.trace->frames[object.traceFrame];
-    if (frame.points.empty()) return;
+    return frame.points.empty() ? nullptr : &frame;
+}
+
+}  // namespace
+
+void drawTrace(Sketch& sketch) {
+    const scene::TraceFrame* shown = shownFrame(sketch.object());
+    if (shown == nullptr) return;
+    const scene::TraceFrame& frame = *shown;
     Shape& edges = sketch.add(Role::trace, Kind::polyline, 1.75F);
     append(edges, frame.points);
     for (const auto& edge : frame.edges) {
@@ -26,11 +36,10 @@ void drawTrace(Sketch& sketch) {
 }
 
 std::vector<Wanted> traceLabels(const scene::Object& object) {
-    if (object.trace == nullptr || object.traceFrame >= object.trace->frames.size()) return {};
-    const scene::TraceFrame& frame = object.trace->frames[object.traceFrame];
-    if (frame.points.empty()) return {};
-    const std::size_t at = frame.marked.empty() ? frame.points.size() - 1 : frame.marked.back();
-    return {{frame.title, frame.points[at], Role::trace}};
+    const scene::TraceFrame* frame = shownFrame(object);
+    if (frame == nullptr) return {};
+    const std::size_t at = frame->marked.empty() ? frame->points.size() - 1 : frame->marked.back();
+    return {{frame->title, frame->points[at], Role::trace}};
 }
 
 }  // namespace knotwork::drawing

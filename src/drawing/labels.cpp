@@ -120,6 +120,16 @@ void addNumbered(std::vector<Wanted>& wanted, std::string_view letter,
     }
 }
 
+/// `P2,3` at the points of a net, row by row.
+void addNet(std::vector<Wanted>& wanted, std::string_view letter, std::span<const Vec3> points,
+            std::size_t columns) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        wanted.push_back({std::string(letter) + std::to_string(k / columns) + "," +
+                              std::to_string(k % columns),
+                          points[k]});
+    }
+}
+
 /// `t3` at every knot of the domain, `t0–3` where several are equal.
 void addKnots(std::vector<Wanted>& wanted, const Curve& curve, std::span<const double> knots) {
     const Interval whole = domain(curve);
@@ -134,20 +144,12 @@ void addKnots(std::vector<Wanted>& wanted, const Curve& curve, std::span<const d
     }
 }
 
-void addBlendLocals(std::vector<Wanted>& wanted, const BlendingCurve& blend) {
-    std::vector<Vec3> origins;
-    for (const LocalCurve& local : blend.locals()) {
-        origins.push_back(local.placement().point(local.origin()));
-    }
-    addNumbered(wanted, "c", origins);
-}
-
 void addCurve(std::vector<Wanted>& wanted, const Sketch& sketch, const Curve& curve) {
     const scene::Show& show = sketch.show();
     if (show.points || show.polygon) addNumbered(wanted, "P", controlPolygon(curve).points);
     const auto* blend = curve.as<BlendingCurve>();
     const auto* spline = curve.as<BsplineCurve>();
-    if (blend != nullptr && show.handles) addBlendLocals(wanted, *blend);
+    if (blend != nullptr && show.handles) addNumbered(wanted, "c", handlePoints(*blend));
     if (spline != nullptr && show.knots) addKnots(wanted, curve, spline->knotVector().knots());
     if (blend != nullptr && show.knots && !show.handles) addKnots(wanted, curve, blend->knots());
     const bool measured = show.osculating || show.hodograph ||
@@ -157,25 +159,6 @@ void addCurve(std::vector<Wanted>& wanted, const Sketch& sketch, const Curve& cu
     wanted.push_back({"t = " + formatNumber(std::round(t * 1e4) / 1e4), pointAt(curve, t)});
 }
 
-void addNet(std::vector<Wanted>& wanted, const BsplineSurface& spline) {
-    for (std::size_t i = 0; i < spline.rowCount(); ++i) {
-        for (std::size_t j = 0; j < spline.columnCount(); ++j) {
-            wanted.push_back({"P" + std::to_string(i) + "," + std::to_string(j),
-                              spline.points()[i * spline.columnCount() + j]});
-        }
-    }
-}
-
-void addPatches(std::vector<Wanted>& wanted, const BlendingSurface& blend) {
-    for (std::size_t i = 0; i < blend.alongU().count; ++i) {
-        for (std::size_t j = 0; j < blend.alongV().count; ++j) {
-            const PatchPlace& place = blend.place(i, j);
-            wanted.push_back({"c" + std::to_string(i) + "," + std::to_string(j),
-                              place.placement().point(place.origin())});
-        }
-    }
-}
-
 std::vector<Wanted> namesOf(const Sketch& sketch) {
     std::vector<Wanted> wanted;
     const scene::Body& body = sketch.body();
@@ -183,8 +166,12 @@ std::vector<Wanted> namesOf(const Sketch& sketch) {
     if (const Curve* curve = body.curve()) addCurve(wanted, sketch, *curve);
     const auto* spline = body.as<BsplineSurface>();
     const auto* blend = body.as<BlendingSurface>();
-    if (spline != nullptr && show.points) addNet(wanted, *spline);
-    if (blend != nullptr && show.handles) addPatches(wanted, *blend);
+    if (spline != nullptr && show.points) {
+        addNet(wanted, "P", spline->points(), spline->columnCount());
+    }
+    if (blend != nullptr && show.handles) {
+        addNet(wanted, "c", handlePoints(*blend), blend->alongV().count);
+    }
     if (const auto* mesh = body.subdivision(); mesh != nullptr && show.points) {
         addNumbered(wanted, "P", mesh->control.points());
     }

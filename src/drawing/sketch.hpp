@@ -70,6 +70,10 @@ void drawGraphFigure(Sketch& sketch, const scene::FunctionGraph& graph);
 void drawPolygon(Sketch& sketch, std::span<const Vec3> points, bool closed);
 /// Every knot of the domain once, where the curve passes it.
 void drawKnotsOnCurve(Sketch& sketch, const Curve& curve, std::span<const double> knots);
+/// Where the locals of a blend are taken hold of, patches row by row.
+[[nodiscard]] std::vector<Vec3> handlePoints(const BlendingCurve& blend);
+[[nodiscard]] std::vector<Vec3> handlePoints(const BlendingSurface& blend);
+void drawHandles(Sketch& sketch, std::span<const Vec3> points);
 
 /// All in pane `curve` and in `hodograph`: what changes with the points.
 [[nodiscard]] std::vector<Shape> sketchFigure(const scene::Object& object, const scene::Body& body,
