@@ -7,6 +7,7 @@
 #include "scene/fit_specs.hpp"
 #include "scene/form_names.hpp"
 #include "scene/json_values.hpp"
+#include "scene/named.hpp"
 #include "scene/validation.hpp"
 
 #include <algorithm>
@@ -123,9 +124,8 @@ std::optional<FitInput> readPlain(std::span<const std::uint8_t> bytes,
     auto missing = std::count_if(table.begin(), table.end(),
                                  [](const Field& field) { return field.required; });
     const bool taken = takeFields(bytes, [&](std::string_view key, const CborItem& item) {
-        const auto field = std::find_if(table.begin(), table.end(),
-                                        [key](const Field& one) { return one.name == key; });
-        if (field == table.end() || !take(key, item, input)) return false;
+        const Field* field = scene::findNamed(table, &Field::name, key);
+        if (field == nullptr || !take(key, item, input)) return false;
         if (field->required) --missing;
         return true;
     });

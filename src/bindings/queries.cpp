@@ -1,6 +1,7 @@
 #include "bindings/queries.hpp"
 
-#include <algorithm>
+#include "scene/named.hpp"
+
 #include <array>
 
 namespace knotwork::bindings {
@@ -21,9 +22,7 @@ template <class Query, std::size_t N>
 const Query* findIn(const std::array<std::span<const Query>, N>& topics,
                     std::string_view name) noexcept {
     for (const std::span<const Query> topic : topics) {
-        const auto found = std::find_if(topic.begin(), topic.end(),
-                                        [&](const Query& query) { return query.name == name; });
-        if (found != topic.end()) return &*found;
+        if (const Query* found = scene::findNamed(topic, &Query::name, name)) return found;
     }
     return nullptr;
 }

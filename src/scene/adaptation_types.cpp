@@ -2,6 +2,7 @@
 #include "geometry/uniform_parameters.hpp"
 #include "scene/adaptation_parts.hpp"
 #include "scene/json_values.hpp"
+#include "scene/named.hpp"
 #include "scene/specs.hpp"
 
 #include <algorithm>
@@ -86,13 +87,12 @@ Json withPoints(Json object, std::string_view type, Json points) {
 }  // namespace
 
 Json ofType(const Json& before, std::string_view type) {
-    const auto found = std::find_if(beginnings.begin(), beginnings.end(),
-                                    [&](const Beginning& one) { return one.type == type; });
+    const Beginning* found = findNamed(beginnings, &Beginning::type, type);
     Json object{{"type", type}};
     for (const char* own : {"id", "style", "show"}) {
         if (const Json* value = member(before, own)) object[own] = *value;
     }
-    if (found == beginnings.end()) return object;  // validation will say what is missing
+    if (found == nullptr) return object;  // validation will say what is missing
     object.update(*parseJson(found->json));
     if (found->hasPoints) object = withPoints(std::move(object), type, pointsFrom(before));
     if (type == "bspline-surface") object["points"] = *parseJson(net);

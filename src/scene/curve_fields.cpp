@@ -2,9 +2,9 @@
 #include "geometry/curve_subdivision.hpp"
 #include "geometry/knot_vector.hpp"
 #include "scene/fields.hpp"
+#include "scene/named.hpp"
 #include "scene/rotation_fields.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace knotwork::scene {
@@ -185,9 +185,7 @@ std::span<const Field> poseFields() noexcept { return poseTable; }
 std::span<const Field> localsFields() noexcept { return localsTable; }
 
 const CurveType* findCurveType(std::string_view type) noexcept {
-    const auto found = std::find_if(types.begin(), types.end(),
-                                    [&](const CurveType& t) { return t.type == type; });
-    return found == types.end() ? nullptr : &*found;
+    return findNamed(types, &CurveType::type, type);
 }
 
 }  // namespace knotwork::scene

@@ -1,8 +1,8 @@
 // The tables of effects.
 #include "scene/fields.hpp"
+#include "scene/named.hpp"
 #include "scene/rotation_fields.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace knotwork::scene {
@@ -81,9 +81,7 @@ constexpr std::array effects{
 std::span<const EffectType> effectTypes() noexcept { return effects; }
 
 const EffectType* findEffectType(std::string_view kind) noexcept {
-    const auto found = std::find_if(effects.begin(), effects.end(),
-                                    [&](const EffectType& e) { return e.kind == kind; });
-    return found == effects.end() ? nullptr : &*found;
+    return findNamed(effects, &EffectType::kind, kind);
 }
 
 }  // namespace knotwork::scene

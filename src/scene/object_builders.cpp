@@ -3,11 +3,11 @@
 #include "scene/fit_specs.hpp"
 #include "scene/json_values.hpp"
 #include "scene/mesh_specs.hpp"
+#include "scene/named.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/surface_builders.hpp"
 #include "scene/validation.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace knotwork::scene {
@@ -59,8 +59,7 @@ Result<Body> buildGraph(Json& spec) {
 
 /// What stands in the style and the show of an object, with the defaults of what does not.
 Result<Done> fillGroup(Json& spec, std::string_view group) {
-    const auto field = std::find_if(objectFields().begin(), objectFields().end(),
-                                    [&](const Field& f) { return f.name == group; });
+    const Field* field = findNamed(objectFields(), &Field::name, group);
     const Json* given = member(spec, group);
     auto filled = readGroup(given != nullptr ? *given : Json::object(), field->fields.all());
     if (!filled) return filled.error().under(group);

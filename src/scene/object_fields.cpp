@@ -2,6 +2,7 @@
 #include "geometry/mesh_subdivision.hpp"
 #include "scene/fields.hpp"
 #include "scene/fit_fields.hpp"
+#include "scene/named.hpp"
 
 #include <algorithm>
 #include <array>
@@ -184,9 +185,7 @@ std::vector<ObjectType> objectTypes() {
 const ObjectType* findObjectType(std::string_view type) noexcept {
     if (const ObjectType* curve = findCurveType(type)) return curve;
     if (const ObjectType* surface = findSurfaceType(type)) return surface;
-    const auto found = std::find_if(ownTypes.begin(), ownTypes.end(),
-                                    [&](const ObjectType& t) { return t.type == type; });
-    return found == ownTypes.end() ? nullptr : &*found;
+    return findNamed(ownTypes, &ObjectType::type, type);
 }
 
 }  // namespace knotwork::scene

@@ -1,10 +1,10 @@
 #include "scene/specs.hpp"
 
+#include "scene/named.hpp"
 #include "scene/parameter_fields.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/validation.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace knotwork::scene {
@@ -46,9 +46,7 @@ Json inOrder(Json spec, std::span<const Field> fields) {
 
 Result<Curve> buildCurve(Json& spec) {
     const std::string type = stringOr(spec, "type", "");
-    const auto builder = std::find_if(builders.begin(), builders.end(),
-                                      [&](const Builder& b) { return b.type == type; });
-    auto made = builder->build(spec);
+    auto made = findNamed(builders, &Builder::type, type)->build(spec);
     if (made) spec = inOrder(std::move(spec), findCurveType(type)->fields);
     return made;
 }

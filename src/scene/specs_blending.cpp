@@ -3,6 +3,7 @@
 #include "geometry/knot_spacing.hpp"
 #include "geometry/local_cuts.hpp"
 #include "scene/json_values.hpp"
+#include "scene/named.hpp"
 
 #include <algorithm>
 #include <array>
@@ -59,8 +60,7 @@ constexpr std::array localKinds{
 /// What `locals` says is cut; the degree is filled in where the kind has one.
 Result<LocalCut> localCutOf(Json& locals) {
     const std::string name = stringOr(locals, "kind", "sub-curve");
-    const auto named = std::find_if(localKinds.begin(), localKinds.end(),
-                                    [&](const NamedKind& one) { return one.name == name; });
+    const NamedKind* named = findNamed(localKinds, &NamedKind::name, name);
     LocalCut cut{.kind = named->kind};
     const Json* degree = member(locals, "degree");
     if (!named->hasDegree) {

@@ -1,11 +1,11 @@
 // The builder of blending surfaces, and the way back.
 #include "geometry/surface.hpp"
 #include "scene/json_values.hpp"
+#include "scene/named.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/surface_builders.hpp"
 #include "scene/surface_specs.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace knotwork::scene {
@@ -41,9 +41,7 @@ Result<std::array<BFunction, 2>> blendsOf(const Json& spec) {
 Result<PatchCut> patchCutOf(Json& spec) {
     const std::string name = stringOr(spec, "kind", "sub-surface");
     PatchCut cut;
-    cut.kind = std::find_if(patchKinds.begin(), patchKinds.end(),
-                            [&](const NamedKind& one) { return one.name == name; })
-                   ->kind;
+    cut.kind = findNamed(patchKinds, &NamedKind::name, name)->kind;
     const Json* degree = member(spec, "degree");
     if (cut.kind != PatchKind::bezier) {
         if (degree == nullptr) return cut;

@@ -1,10 +1,10 @@
 // The tables of surfaces.
 #include "geometry/parametric_surface_descriptions.hpp"
 #include "scene/fields.hpp"
+#include "scene/named.hpp"
 #include "scene/parameter_fields.hpp"
 #include "scene/rotation_fields.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace knotwork::scene {
@@ -141,9 +141,7 @@ constexpr std::array types{
 std::span<const SurfaceType> surfaceTypes() noexcept { return types; }
 
 const SurfaceType* findSurfaceType(std::string_view type) noexcept {
-    const auto found = std::find_if(types.begin(), types.end(),
-                                    [&](const SurfaceType& t) { return t.type == type; });
-    return found == types.end() ? nullptr : &*found;
+    return findNamed(types, &SurfaceType::type, type);
 }
 
 std::span<const Field> patchPoseFields() noexcept { return patchPoseTable; }

@@ -1,12 +1,12 @@
 #include "scene/surface_specs.hpp"
 
 #include "scene/json_values.hpp"
+#include "scene/named.hpp"
 #include "scene/parameter_fields.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/surface_builders.hpp"
 #include "scene/validation.hpp"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -31,9 +31,7 @@ constexpr std::array builders{
 
 Result<Surface> buildSurface(Json& spec) {
     const std::string type = stringOr(spec, "type", "");
-    const auto builder = std::find_if(builders.begin(), builders.end(),
-                                      [&](const Builder& b) { return b.type == type; });
-    auto made = builder->build(spec);
+    auto made = findNamed(builders, &Builder::type, type)->build(spec);
     if (made) spec = inOrder(std::move(spec), findSurfaceType(type)->fields);
     return made;
 }

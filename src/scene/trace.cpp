@@ -2,12 +2,12 @@
 
 #include "scene/json_values.hpp"
 #include "scene/mesh_specs.hpp"
+#include "scene/named.hpp"
 #include "scene/specs.hpp"
 #include "scene/surface_specs.hpp"
 #include "scene/trace_algorithms.hpp"
 #include "scene/validation.hpp"
 
-#include <algorithm>
 
 namespace knotwork::scene {
 
@@ -203,11 +203,9 @@ Result<const Algorithm*> algorithmOf(const Json& given) {
                       "A trace needs the name of its algorithm, one of " + algorithmNames() + ".");
     }
     const auto& text = name->get_ref<const std::string&>();
-    const auto found = std::find_if(algorithms.begin(), algorithms.end(),
-                                    [&](const Algorithm& one) { return one.name == text; });
-    if (found != algorithms.end()) {
+    if (const Algorithm* found = findNamed(algorithms, &Algorithm::name, text)) {
         const bool ofSurface = text == surfaceBlend.name && member(given, "surface") != nullptr;
-        return ofSurface ? &surfaceBlend : &*found;
+        return ofSurface ? &surfaceBlend : found;
     }
     return refuse(Code::unknownName, "algorithm",
                   "\"" + text + "\" is not known here; choose one of " + algorithmNames() + ".");

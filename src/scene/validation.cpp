@@ -1,5 +1,6 @@
 #include "scene/validation.hpp"
 
+#include "scene/named.hpp"
 #include "scene/validation_values.hpp"
 
 #include <algorithm>
@@ -227,9 +228,7 @@ Checked checkTyped(const Json& given, std::span<const CurveType> types,
                           ".");
     }
     if (const auto known = readName(*name, choices); !known) return known.error().under("type");
-    const CurveType& type =
-        *std::find_if(types.begin(), types.end(),
-                      [&](const CurveType& t) { return t.type == name->get_ref<const std::string&>(); });
+    const CurveType& type = *findNamed(types, &CurveType::type, name->get_ref<const std::string&>());
     std::vector<Field> fields(type.fields.begin(), type.fields.end());
     fields.insert(fields.end(), extra.begin(), extra.end());
     Checked typed{Json{{"type", *name}}};
