@@ -43,6 +43,14 @@ bool onlyFormDiffers(const Json& before, const Json& after) {
     return differs(before, after, "form");
 }
 
+/// `after` with the form and the shape of this specification.
+Json withShape(Json after, const Json& spec) {
+    for (const char* key : {"form", "points", "knots", "weights"}) {
+        if (const Json* value = member(spec, key)) after[key] = *value;
+    }
+    return after;
+}
+
 // --- curves -------------------------------------------------------------------------------------
 
 /// The very same curve in the form that `after` wants, where there is one.
@@ -51,13 +59,7 @@ std::optional<Json> sameCurve(const Json& before, const Json& after) {
     const auto made = makeCurve(before);
     if (!form || !made) return std::nullopt;
     const auto reformed = inForm(*made->value.as<BsplineCurve>(), *form);
-    if (!reformed) return std::nullopt;
-    Json same = after;
-    const Json spec = specOf(Curve(*reformed));
-    for (const char* key : {"form", "points", "knots", "weights"}) {
-        if (const Json* value = member(spec, key)) same[key] = *value;
-    }
-    return same;
+    return reformed ? std::optional(withShape(after, specOf(Curve(*reformed)))) : std::nullopt;
 }
 
 std::optional<std::vector<double>> curveKnots(const Json& before, const Json& after) {
@@ -150,13 +152,7 @@ std::optional<Json> sameSurface(const Json& before, const Json& after) {
     const auto made = makeSurface(before);
     if (!u || !v || !made) return std::nullopt;
     const auto reformed = inForms(*made->value.as<BsplineSurface>(), *u, *v);
-    if (!reformed) return std::nullopt;
-    Json same = after;
-    const Json spec = specOf(Surface(*reformed));
-    for (const char* key : {"form", "points", "knots", "weights"}) {
-        if (const Json* value = member(spec, key)) same[key] = *value;
-    }
-    return same;
+    return reformed ? std::optional(withShape(after, specOf(Surface(*reformed)))) : std::nullopt;
 }
 
 }  // namespace
