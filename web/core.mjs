@@ -89,6 +89,20 @@ export class Core {
     }
 
     /**
+     * The document that was sent with its defaults filled in.
+     * @param {number} size
+     * @returns {any}
+     */
+    canonicalDocument(size) {
+        const handle = this.openScene(size);
+        try {
+            return this.json('sceneDocument', handle);
+        } finally {
+            this.release(handle);
+        }
+    }
+
+    /**
      * What is wrong with the document that was sent.
      * @param {number} size
      * @returns {import('./errors.mjs').Problem[]}

@@ -34,7 +34,7 @@ export function importDocument(core, given, settings) {
     const kind = format === undefined ? guess(read) : choice(format, 'format', formats);
     const document = readers[kind](core, read, choice(as ?? 'points', 'as', ['points', 'curve']));
     if (title !== undefined) document.title = text(title, 'title');
-    return canonical(core, document);
+    return core.canonicalDocument(core.send(document));
 }
 
 /** @type {Record<typeof formats[number], (core: Core, text: string, as: 'points' | 'curve') => any>} */
@@ -84,15 +84,5 @@ function readJson(whole) {
         return JSON.parse(whole);
     } catch (error) {
         throw new KnotworkError('SYNTAX', 'text', `This is no JSON. ${/** @type {Error} */ (error).message}`);
-    }
-}
-
-/** @param {Core} core @param {unknown} document */
-function canonical(core, document) {
-    const handle = core.ask('openScene', core.send(document));
-    try {
-        return core.json('sceneDocument', handle);
-    } finally {
-        core.release(handle);
     }
 }

@@ -26,9 +26,7 @@ const codecs = /** @type {Record<string, (core: Core, payload: string) => unknow
  */
 export async function encodeLink(core, document) {
     const size = core.send(document);
-    const handle = core.openScene(size);
-    const canonical = core.json('sceneDocument', handle);
-    core.release(handle);
+    const canonical = core.canonicalDocument(size);
     const given = JSON.parse(core.ask('inputText', size));
 
     const preset = presetPayload(core, given, canonical);
@@ -128,17 +126,9 @@ function openPreset(core, payload) {
     }
     if (cut < 0) return listed.document;
     const changes = parse(percentDecode(payload.slice(cut + 1)));
-    const changed = applyChanges(canonicalOf(core, listed.document), changes);
+    const changed = applyChanges(core.canonicalDocument(core.send(listed.document)), changes);
     if (changed === undefined) throw malformed('Its changes do not fit the scene.');
     return changed;
-}
-
-/** @param {Core} core @param {unknown} document */
-function canonicalOf(core, document) {
-    const handle = core.openScene(core.send(document));
-    const canonical = core.json('sceneDocument', handle);
-    core.release(handle);
-    return canonical;
 }
 
 /**
@@ -151,7 +141,7 @@ function presetPayload(core, given, canonical) {
     for (const { id, document } of core.json('scenes')) {
         if (same(given, document)) return percentEncode(id);
         if (!same(given, canonical) || document.title !== canonical.title) continue;
-        const changes = changesBetween(canonicalOf(core, document), given);
+        const changes = changesBetween(core.canonicalDocument(core.send(document)), given);
         const payload = changes && percentEncode(JSON.stringify(changes));
         if (payload && payload.length < 300) return `${percentEncode(id)}~${payload}`;
     }

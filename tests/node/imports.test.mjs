@@ -27,6 +27,15 @@ test('a table is read with commas, semicolons, tabs or blanks', () => {
     }
 });
 
+test('a refused document tells all that is wrong with it', () => {
+    const document = { knotwork: 1, objects: [{ type: 'line-curve', from: [0, 0], to: [1, 'x'] }, { type: 'arc' }] };
+    assert.throws(() => kw.importDocument(JSON.stringify(document)), (error) => {
+        assert.ok(error instanceof KnotworkError);
+        assert.deepEqual(error.problems, kw.validate(document));
+        return error.problems.length === 2;
+    });
+});
+
 test('a decimal comma is understood where a comma parts nothing', () => {
     for (const separator of [';', '\t', ' ']) {
         const text = square.map((point) => point.map((c) => String(c).replace('.', ',')).join(separator)).join('\n');
