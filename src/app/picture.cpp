@@ -1,14 +1,16 @@
 #include "app/picture.hpp"
 
+#include "drawing/extent.hpp"
+
 #include <cmath>
 
 namespace knotwork::app {
 
 namespace {
 
-constexpr double invisible = 0.15;      // device pixels
+constexpr double invisible = 0.15;  // device pixels
 constexpr int momentsOfLoop = 12;
-constexpr std::size_t samples = 600;    // enough for the butterfly's six turns
+constexpr std::size_t samplesOfCurve = 600;  // enough for the butterfly's six turns
 constexpr std::size_t samplesOfLocal = 32;
 constexpr std::size_t samplesOfSurface = 25;  // in either direction
 
@@ -22,63 +24,38 @@ void addLocals(drawing::Bounds& bounds, const scene::Placed& placed, const Blend
     }
 }
 
-void addCurve(drawing::Bounds& bounds, const Affine& placement, const Curve& curve) {
-    const Interval whole = domain(curve);
-    for (std::size_t i = 0; i < samples; ++i) {
-        bounds.add(placement.point(pointAt(curve, uniformParameter(whole, i, samples))));
-    }
-}
-
-void addPoints(drawing::Bounds& bounds, const Affine& placement, std::span<const Vec3> points) {
-    for (const Vec3& p : points) bounds.add(placement.point(p));
-}
-
-void addSurface(drawing::Bounds& bounds, const Affine& placement, const Surface& surface) {
-    const Rectangle whole = domain(surface);
-    for (std::size_t i = 0; i < samplesOfSurface; ++i) {
-        for (std::size_t j = 0; j < samplesOfSurface; ++j) {
-            bounds.add(placement.point(
-                pointAt(surface, {uniformParameter(whole.u, i, samplesOfSurface),
-                                  uniformParameter(whole.v, j, samplesOfSurface), Side::right,
-                                  Side::right})));
-        }
-    }
-}
-
 /// Bodies that are no curves, with what they are made from where that is shown.
 void addOther(drawing::Bounds& bounds, const scene::Placed& placed) {
     const scene::Show& show = placed.object->show;
+    const Affine& placement = placed.placement;
     if (const Surface* surface = placed.body.surface()) {
-        addSurface(bounds, placed.placement, *surface);
+        drawing::addSurface(bounds, *surface, placement, samplesOfSurface);
         const auto* spline = surface->as<BsplineSurface>();
         if (spline != nullptr && (show.polygon || show.points)) {
-            addPoints(bounds, placed.placement, spline->points());
+            drawing::addPoints(bounds, spline->points(), placement);
         }
     }
     if (const auto* mesh = placed.body.subdivision()) {
-        addPoints(bounds, placed.placement, mesh->refined.points());
+        drawing::addPoints(bounds, mesh->refined.points(), placement);
         if (show.polygon || show.points) {
-            addPoints(bounds, placed.placement, mesh->control.points());
+            drawing::addPoints(bounds, mesh->control.points(), placement);
         }
     }
-    if (const auto* graph = placed.body.graph()) {
-        bounds.add(placed.placement.point(graph->at));
-        bounds.add(placed.placement.point(graph->at + graph->size * Vec3(1, 1, 0)));
-    }
+    if (const auto* graph = placed.body.graph()) drawing::addGraph(bounds, *graph, placement);
     if (const auto* cloud = placed.body.cloud()) {
-        addPoints(bounds, placed.placement, cloud->points);
-        if (cloud->fit) addCurve(bounds, placed.placement, cloud->fit->curve);
+        drawing::addPoints(bounds, cloud->points, placement);
+        if (cloud->fit) drawing::addCurve(bounds, cloud->fit->curve, placement, samplesOfCurve);
     }
 }
 
 void addPlaced(drawing::Bounds& bounds, const scene::Placed& placed) {
     const Curve* curve = placed.body.curve();
     if (curve == nullptr) return addOther(bounds, placed);
-    addCurve(bounds, placed.placement, *curve);
+    drawing::addCurve(bounds, *curve, placed.placement, samplesOfCurve);
     const auto* blend = placed.body.as<BlendingCurve>();
     if (blend != nullptr && placed.object->show.locals) addLocals(bounds, placed, *blend);
     if (!placed.object->show.polygon && !placed.object->show.points) return;
-    addPoints(bounds, placed.placement, drawing::controlPolygon(*curve).points);
+    drawing::addPoints(bounds, drawing::controlPolygon(*curve).points, placed.placement);
 }
 
 }  // namespace

@@ -6,49 +6,56 @@ namespace knotwork::drawing {
 
 namespace {
 
-constexpr std::size_t samples = 65;
-constexpr std::size_t surfaceSamples = 17;  // each way
+constexpr std::size_t samplesOfCurve = 65;
+constexpr std::size_t samplesOfSurface = 17;  // each way
 
-void addPoints(Bounds& bounds, std::span<const Vec3> points, const Affine& placement) {
-    for (const Vec3& p : points) bounds.add(placement.point(p));
+void addFinite(Bounds& bounds, const Vec3& p) noexcept {
+    if (isFinite(p)) bounds.add(p);
 }
 
-void addSurface(Bounds& bounds, const Surface& surface, const Affine& placement) {
+}  // namespace
+
+void addPoints(Bounds& bounds, std::span<const Vec3> points, const Affine& placement) {
+    for (const Vec3& p : points) addFinite(bounds, placement.point(p));
+}
+
+void addCurve(Bounds& bounds, const Curve& curve, const Affine& placement, std::size_t samples) {
+    const Interval whole = domain(curve);
+    for (std::size_t i = 0; i < samples; ++i) {
+        addFinite(bounds, placement.point(pointAt(curve, uniformParameter(whole, i, samples))));
+    }
+}
+
+void addSurface(Bounds& bounds, const Surface& surface, const Affine& placement,
+                std::size_t samples) {
     const auto [u, v] = domain(surface);
-    for (std::size_t i = 0; i < surfaceSamples; ++i) {
-        for (std::size_t j = 0; j < surfaceSamples; ++j) {
-            const SurfacePlace at{uniformParameter(u, i, surfaceSamples),
-                                  uniformParameter(v, j, surfaceSamples)};
-            const Vec3 p = placement.point(pointAt(surface, at));
-            if (isFinite(p)) bounds.add(p);
+    for (std::size_t i = 0; i < samples; ++i) {
+        for (std::size_t j = 0; j < samples; ++j) {
+            const SurfacePlace at{uniformParameter(u, i, samples), uniformParameter(v, j, samples)};
+            addFinite(bounds, placement.point(pointAt(surface, at)));
         }
     }
 }
 
-void addCurve(Bounds& bounds, const Curve& curve, const Affine& placement) {
-    const Interval whole = domain(curve);
-    for (std::size_t i = 0; i < samples; ++i) {
-        const Vec3 p = placement.point(pointAt(curve, uniformParameter(whole, i, samples)));
-        if (isFinite(p)) bounds.add(p);
-    }
+void addGraph(Bounds& bounds, const scene::FunctionGraph& graph, const Affine& placement) {
+    bounds.add(placement.point(graph.at));
+    bounds.add(placement.point(graph.at + graph.size * Vec3(1, 1, 0)));
 }
-
-}  // namespace
 
 Bounds roughBounds(const scene::State& state, const scene::Moment& moment) {
     Bounds bounds;
     for (const scene::Placed& placed : scene::place(state, moment)) {
         const scene::Body& body = placed.body;
-        if (body.curve() != nullptr) addCurve(bounds, *body.curve(), placed.placement);
-        if (body.surface() != nullptr) addSurface(bounds, *body.surface(), placed.placement);
+        const Affine& placement = placed.placement;
+        if (const Curve* curve = body.curve()) addCurve(bounds, *curve, placement, samplesOfCurve);
+        if (const Surface* surface = body.surface()) {
+            addSurface(bounds, *surface, placement, samplesOfSurface);
+        }
         if (body.subdivision() != nullptr) {
-            addPoints(bounds, body.subdivision()->control.points(), placed.placement);
+            addPoints(bounds, body.subdivision()->control.points(), placement);
         }
-        if (const auto* graph = body.graph()) {
-            bounds.add(placed.placement.point(graph->at));
-            bounds.add(placed.placement.point(graph->at + graph->size * Vec3(1, 1, 0)));
-        }
-        if (body.cloud() != nullptr) addPoints(bounds, body.cloud()->points, placed.placement);
+        if (body.graph() != nullptr) addGraph(bounds, *body.graph(), placement);
+        if (body.cloud() != nullptr) addPoints(bounds, body.cloud()->points, placement);
     }
     return bounds;
 }

@@ -1,9 +1,22 @@
-// How large a scene is, about: for tolerances that are a share of it.
+// How large a scene is, about: for tolerances that are a share of it, and for what a view has to show.
 #pragma once
 
 #include "drawing/drawing.hpp"
 
+#include <cstddef>
+#include <span>
+
 namespace knotwork::drawing {
+
+// To a box some points of what is placed so; those that are not finite are left out.
+void addPoints(Bounds& bounds, std::span<const Vec3> points, const Affine& placement);
+/// `samples` ≥ 2 of them, uniform in the parameter with both ends.
+void addCurve(Bounds& bounds, const Curve& curve, const Affine& placement, std::size_t samples);
+/// The same in each direction.
+void addSurface(Bounds& bounds, const Surface& surface, const Affine& placement,
+                std::size_t samples);
+/// Its square.
+void addGraph(Bounds& bounds, const scene::FunctionGraph& graph, const Affine& placement);
 
 /// A box round some points of every object as it stands: never larger than the scene, and seldom
 /// much smaller.
