@@ -3,6 +3,7 @@
 #include "bindings/session.hpp"
 #include "geometry/simd.hpp"
 #include "geometry/tessellation.hpp"
+#include "geometry/triples.hpp"
 
 #include <algorithm>
 
@@ -11,12 +12,6 @@ namespace knotwork::bindings {
 using scene::Made;
 
 namespace {
-
-void write(const Vec3& v, double* at) noexcept {
-    at[0] = v.x;
-    at[1] = v.y;
-    at[2] = v.z;
-}
 
 /// How many numbers from the first one on are seen to lie in the interval, two at a look.
 std::size_t countWithin(const Interval& whole, std::span<const double> numbers) noexcept {

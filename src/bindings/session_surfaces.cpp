@@ -3,21 +3,12 @@
 #include "bindings/session.hpp"
 #include "geometry/surface_differential.hpp"
 #include "geometry/surface_tessellation.hpp"
+#include "geometry/triples.hpp"
 #include "scene/json_values.hpp"
 #include "scene/surface_specs.hpp"
 #include "scene/validation.hpp"
 
 namespace knotwork::bindings {
-
-namespace {
-
-void write(const Vec3& v, double* at) noexcept {
-    at[0] = v.x;
-    at[1] = v.y;
-    at[2] = v.z;
-}
-
-}  // namespace
 
 int Session::holdSurface(SurfaceValue value) {
     const Surface& surface = value.surface;

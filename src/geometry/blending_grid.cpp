@@ -2,7 +2,7 @@
 
 #include "geometry/blending_kernels.hpp"
 #include "geometry/surface.hpp"
-#include "geometry/surface_differential.hpp"
+#include "geometry/triples.hpp"
 
 #include <algorithm>
 
@@ -14,10 +14,6 @@ using simd::Double2;
 
 // Below this part of the largest product of |Su| and |Sv| a normal is looked at closely.
 constexpr double clearly = 1e-6;
-
-void write(const Vec3& v, double* to) noexcept {
-    for (int axis = 0; axis < 3; ++axis) to[axis] = v[axis];
-}
 
 }  // namespace
 
@@ -50,8 +46,6 @@ double leastNormal(const BlendingSurface& surface) noexcept {
     }
     return clearly * alongU * alongV;
 }
-
-// ---- Planes and Bézier patches -----------------------------------------------------------------
 
 BlendedPolynomialGrid::BlendedPolynomialGrid(const BlendingSurface& surface, const GridLine& u,
                                              const GridLine& v)
@@ -198,25 +192,6 @@ void BlendedPolynomialGrid::columns(std::size_t first, std::size_t count, double
         for (std::size_t j = from; j < to; ++j) {
             if (!(inverses_[j] < most)) unclear_.push_back(j);
         }
-    }
-}
-
-// ---- Any other ---------------------------------------------------------------------------------
-
-void BlendedPointGrid::columns(std::size_t first, std::size_t count, double* positions,
-                               double* normals) noexcept {
-    unclear_.clear();
-    constexpr SurfaceOrders orders{1, 1};
-    const GridLine::Place u = u_.at(row_);
-    std::array<Vec3, orders.size()> rows;
-    for (std::size_t j = first; j < first + count; ++j, positions += 3, normals += 3) {
-        const GridLine::Place v = v_.at(j);
-        surface_.derivatives({u.parameter, v.parameter, u.side, v.side}, orders, rows);
-        const Vec3 normal = plainNormal(rows[orders.at(1, 0)], rows[orders.at(0, 1)],
-                                        u_.domain.length(), v_.domain.length());
-        if (normal == Vec3(0)) unclear_.push_back(j);
-        write(rows[0], positions);
-        write(normal, normals);
     }
 }
 

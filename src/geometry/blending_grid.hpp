@@ -78,24 +78,4 @@ private:
     std::vector<std::size_t> unclear_;
 };
 
-/// Any other, point by point.
-class BlendedPointGrid {
-public:
-    /// The surface has to outlive it.
-    BlendedPointGrid(const BlendingSurface& surface, const GridLine& u, const GridLine& v)
-        : surface_(surface), u_(u), v_(v) {}
-
-    void prepare(std::size_t row) noexcept { row_ = row; }
-    void columns(std::size_t first, std::size_t count, double* positions,
-                 double* normals) noexcept;
-    [[nodiscard]] const std::vector<std::size_t>& unclear() const noexcept { return unclear_; }
-
-private:
-    const BlendingSurface& surface_;
-    GridLine u_;
-    GridLine v_;
-    std::size_t row_ = 0;
-    std::vector<std::size_t> unclear_;
-};
-
 }  // namespace knotwork

@@ -2,6 +2,7 @@
 
 #include "geometry/polynomial_kernels.hpp"
 #include "geometry/polynomial_piece.hpp"
+#include "geometry/triples.hpp"
 
 #include <algorithm>
 #include <array>
@@ -72,12 +73,6 @@ std::size_t leading(std::span<const double> ts, double start, double end) noexce
     if (all) return ts.size();
     const auto inside = [=](double t) { return start <= t && t < end; };
     return static_cast<std::size_t>(std::find_if_not(ts.begin(), ts.end(), inside) - ts.begin());
-}
-
-void store(const Vec3& point, double* xyz) noexcept {
-    xyz[0] = point.x;
-    xyz[1] = point.y;
-    xyz[2] = point.z;
 }
 
 }  // namespace
@@ -188,7 +183,7 @@ void BlendingSampler::points(std::span<const double> ts, std::span<double> xyz) 
         Vec3 point;
         const Side side = ts[i] == curve_.domain().end ? Side::left : Side::right;
         curve_.evaluate(ts[i], side, {&point, 1});
-        store(point, &xyz[3 * i]);
+        write(point, &xyz[3 * i]);
     }
 }
 
@@ -306,7 +301,7 @@ void BlendingSampler::rows(std::span<const double> ts, int derivatives,
         std::array<Vec3, mostOrders> single;
         const Side side = ts[i] == curve_.domain().end ? Side::left : Side::right;
         curve_.evaluate(ts[i], side, {single.data(), orders});
-        for (std::size_t k = 0; k < orders; ++k) store(single[k], &xyz[3 * (k * ts.size() + i)]);
+        for (std::size_t k = 0; k < orders; ++k) write(single[k], &xyz[3 * (k * ts.size() + i)]);
     }
 }
 

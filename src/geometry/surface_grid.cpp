@@ -3,10 +3,10 @@
 #include "geometry/blending_grid.hpp"
 #include "geometry/blending_model_grid.hpp"
 #include "geometry/bspline_grid.hpp"
+#include "geometry/point_grid.hpp"
 #include "geometry/polynomial_piece.hpp"
 #include "geometry/surface_differential.hpp"
 #include "geometry/table_grid.hpp"
-#include "geometry/triangle_grid.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,15 +18,12 @@ namespace knotwork {
 
 namespace {
 
-void write(const Vec3& v, double* to) noexcept {
-    for (int axis = 0; axis < 3; ++axis) to[axis] = v[axis];
-}
-
 /// The power forms of all rows of the net pay where there are more points of the grid than of it.
 constexpr std::size_t worthwhile = 4;
 
 using Rows = std::variant<PolynomialGrid, TensorGrid, ProductGrid, BlendedPolynomialGrid,
-                          BlendedModelGrid, BlendedPointGrid, TriangleGrid>;
+                          BlendedModelGrid, PointGrid<BlendingSurface>,
+                          PointGrid<BlendingTriangle>>;
 
 Rows rowsOf(const BsplineSurface& spline, const GridLine& u, const GridLine& v) {
     const auto degree = static_cast<std::size_t>(spline.knotsV().degree());
@@ -42,7 +39,7 @@ Rows rowsOf(const ParametricSurface& model, const GridLine& u, const GridLine& v
 }
 
 Rows rowsOf(const BlendingTriangle& triangle, const GridLine& u, const GridLine& v) {
-    return TriangleGrid(triangle, u, v);
+    return PointGrid<BlendingTriangle>(triangle, u, v);
 }
 
 Rows rowsOf(const BlendingSurface& blend, const GridLine& u, const GridLine& v) {
@@ -52,7 +49,7 @@ Rows rowsOf(const BlendingSurface& blend, const GridLine& u, const GridLine& v) 
     }
     if (!blend.cutsModel()) return BlendedPolynomialGrid(blend, u, v);
     if (BlendedModelGrid::suits(blend)) return BlendedModelGrid(blend, u, v);
-    return BlendedPointGrid(blend, u, v);
+    return PointGrid<BlendingSurface>(blend, u, v);
 }
 
 }  // namespace
