@@ -15,6 +15,10 @@ constexpr double leastSine = 1e-6;
 constexpr double leastRatio = 1e-8;
 // What of a coefficient is more than rounding, relative to the products that it is a sum of.
 constexpr double significant = 1e-9;
+// Of the domain: pieces that are shorter have series of their own.
+constexpr double farShorter = 1e-2;
+// Rounding of derivatives times the lengths of their piece, relative to the coordinates.
+constexpr double ofCoordinates = 1e-13;
 
 constexpr int seriesOrder = 10;  // of S along the diagonal: poles up to order 2 of N
 constexpr std::size_t terms = seriesOrder - 1;  // left of second derivatives
@@ -53,20 +57,61 @@ Series sum(Series a, double factor, const Series& b) noexcept {
     return a;
 }
 
+/// Of the piece between breaks that a place lies in.
+double pieceLength(std::span<const double> breaks, const Interval& whole, double t,
+                   Side side) noexcept {
+    const auto next = side == Side::right ? std::upper_bound(breaks.begin(), breaks.end(), t)
+                                          : std::lower_bound(breaks.begin(), breaks.end(), t);
+    if (next == breaks.begin() || next == breaks.end()) return whole.length();
+    return *next - *(next - 1);
+}
+
+/// How far a series may go from a place: over the domain, or over a piece that is far shorter.
+struct Lengths {
+    double u;
+    double v;
+    bool shortPiece = false;
+
+    Lengths(const Surface& surface, const SurfacePlace& at) noexcept {
+        const Rectangle whole = domain(surface);
+        u = whole.u.length();
+        v = whole.v.length();
+        const double pieceU = pieceLength(breaksU(surface), whole.u, at.u, at.sideU);
+        const double pieceV = pieceLength(breaksV(surface), whole.v, at.v, at.sideV);
+        shortPiece = std::min(pieceU / u, pieceV / v) < farShorter;
+        if (pieceU < farShorter * u) u = pieceU;
+        if (pieceV < farShorter * v) v = pieceV;
+    }
+};
+
+/// How large the coordinates of some points of the surface are.
+double reachOf(const Surface& surface) noexcept {
+    const auto [u, v] = domain(surface);
+    double farthest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            const SurfacePlace at{uniformParameter(u, i, 3), uniformParameter(v, j, 3)};
+            farthest = std::max(farthest, glm::length(pointAt(surface, at)));
+        }
+    }
+    return farthest;
+}
+
 /// The derivatives of S along (u ± s · length_u, v ± s · length_v) as series in s, each derivative
 /// multiplied by the lengths, so that all have the size of the surface.
 struct Diagonal {
     VectorSeries su, sv, suu, suv, svv;
     double size = 0;          ///< of the coefficients up to the third order
+    double rounding = 0;      ///< what of a coefficient of Su × Sv may be nothing else
     double orientation = 1;   ///< −1 where Su × Sv of the scaled derivatives points to the other side
 
     Diagonal(const Surface& surface, const SurfacePlace& at) noexcept {
         constexpr SurfaceOrders orders{seriesOrder, seriesOrder};
         std::array<Vec3, orders.size()> rows;
         derivativesWithin(surface, at, seriesOrder, rows);
-        const Rectangle whole = domain(surface);
-        const double stepU = at.sideU == Side::left ? -whole.u.length() : whole.u.length();
-        const double stepV = at.sideV == Side::left ? -whole.v.length() : whole.v.length();
+        const Lengths lengths(surface, at);
+        const double stepU = at.sideU == Side::left ? -lengths.u : lengths.u;
+        const double stepV = at.sideV == Side::left ? -lengths.v : lengths.v;
         orientation = stepU * stepV < 0 ? -1 : 1;
         for (VectorSeries* series : {&su, &sv, &suu, &suv, &svv}) series->fill(Vec3(0));
         double factorU = 1;  // step^a / a!
@@ -78,9 +123,17 @@ struct Diagonal {
                 if (a + b > 0) add(factor * rows[orders.at(a, b)], a, b);
             }
         }
+        rounding = lengths.shortPiece ? roundingWithin(surface) : significant * size * size;
     }
 
 private:
+    /// Along a short piece S may hardly change: coordinates are rounded by their own size.
+    [[nodiscard]] double roundingWithin(const Surface& surface) const noexcept {
+        const double along = std::max({glm::length(su[0]), glm::length(su[1]), glm::length(su[2])});
+        const double across = std::max({glm::length(sv[0]), glm::length(sv[1]), glm::length(sv[2])});
+        return std::max(significant * along * across,
+                        ofCoordinates * reachOf(surface) * std::max(along, across));
+    }
     void add(const Vec3& term, std::size_t a, std::size_t b) noexcept {
         const std::size_t n = a + b;
         const auto i = static_cast<double>(a);
@@ -97,10 +150,10 @@ private:
     }
 };
 
-/// The first coefficient that is more than rounding of products of `size`.
-std::optional<std::size_t> leading(const VectorSeries& series, double size) noexcept {
+/// The first coefficient that is more than rounding.
+std::optional<std::size_t> leading(const VectorSeries& series, double rounding) noexcept {
     for (std::size_t n = 0; n < terms; ++n) {
-        if (glm::length(series[n]) > significant * size) return n;
+        if (glm::length(series[n]) > rounding) return n;
     }
     return {};
 }
@@ -173,9 +226,10 @@ Vec3 thinNormal(const Vec3& su, const Vec3& sv) noexcept {
     return spans ? normal / length : Vec3(0);
 }
 
-Vec3 plainNormal(const Surface& surface, const Vec3& su, const Vec3& sv) noexcept {
-    const Rectangle whole = domain(surface);
-    return knotwork::plainNormal(su, sv, whole.u.length(), whole.v.length());
+Vec3 plainNormal(const Surface& surface, const SurfacePlace& at, const Vec3& su,
+                 const Vec3& sv) noexcept {
+    const Lengths lengths(surface, at);
+    return knotwork::plainNormal(su, sv, lengths.u, lengths.v);
 }
 
 }  // namespace
@@ -196,11 +250,11 @@ Vec3 unitNormal(const Surface& surface, const SurfacePlace& at) noexcept {
     derivativesWithin(surface, at, 1, rows);
     const Vec3& su = rows[first.at(1, 0)];
     const Vec3& sv = rows[first.at(0, 1)];
-    const Vec3 plain = plainNormal(surface, su, sv);
+    const Vec3 plain = plainNormal(surface, at, su, sv);
     if (plain != Vec3(0)) return plain;
     const Diagonal s(surface, at);
     const VectorSeries normal = cross(s.su, s.sv);
-    const auto order = leading(normal, s.size * s.size);
+    const auto order = leading(normal, s.rounding);
     if (!order) return thinNormal(su, sv);
     return s.orientation * normal[*order] / glm::length(normal[*order]);
 }
@@ -210,11 +264,11 @@ Result<SurfaceCurvatures> curvatures(const Surface& surface, const SurfacePlace&
     derivativesWithin(surface, at, 2, rows);
     const Vec3& su = rows[second.at(1, 0)];
     const Vec3& sv = rows[second.at(0, 1)];
-    const Vec3 plain = plainNormal(surface, su, sv);
+    const Vec3 plain = plainNormal(surface, at, su, sv);
     if (plain != Vec3(0)) return regular(rows, plain);
     const Diagonal s(surface, at);
     const VectorSeries normal = cross(s.su, s.sv);
-    if (const auto order = leading(normal, s.size * s.size)) return limits(s, normal, *order, at);
+    if (const auto order = leading(normal, s.rounding)) return limits(s, normal, *order, at);
     const Vec3 thin = thinNormal(su, sv);
     if (thin == Vec3(0)) return noCurvatures(at);
     return regular(rows, thin);

@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace knotwork {
 namespace {
@@ -130,6 +132,76 @@ TEST(SurfaceDifferential, ARationalPieceOfASphereIsOneUpToItsPole) {
             ASSERT_TRUE(found.ok());
             EXPECT_NEAR(found->gaussian, 1, gates::poleCurvature) << u << ' ' << v;
             EXPECT_NEAR(found->mean, -1, gates::poleCurvature) << u << ' ' << v;
+        }
+    }
+}
+
+/// Three Bézier pieces along u, the middle one over a gap of this length; its side v = 0 is a point.
+Surface inPieces(int degree, double gap) {
+    std::vector<double> knots;
+    for (const double knot : {0.0, 0.5, 0.5 + gap, 1.0}) {
+        knots.insert(knots.end(), static_cast<std::size_t>(degree), knot);
+    }
+    knots.insert(knots.begin(), 0.0);
+    knots.push_back(1.0);
+    const int rows = 3 * degree + 1;
+    std::vector<Vec3> points;
+    for (int i = 0; i < rows; ++i) {
+        points.emplace_back(2, -1, 0);
+        for (int j = 1; j < 4; ++j) {
+            points.emplace_back(i + 0.3 * std::sin(3 * i + j), j, std::sin(1.7 * i + j));
+        }
+    }
+    return BsplineSurface::make(KnotVector::make(knots, degree, rows, Form::clamped).value(),
+                                KnotVector::uniform(2, 4, Form::clamped).value(), points)
+        .value();
+}
+
+void expectAlike(const Surface& a, const SurfacePlace& at, const Surface& b,
+                 const SurfacePlace& there) {
+    const Vec3 off = unitNormal(a, at) - unitNormal(b, there);
+    EXPECT_LE(glm::length(off), gates::poleNormal) << at.u << ' ' << at.v;
+    const auto found = curvatures(a, at);
+    const auto expected = curvatures(b, there);
+    ASSERT_EQ(found.ok(), expected.ok()) << at.u << ' ' << at.v;
+    if (!found) return;
+    EXPECT_NEAR(found->k1, expected->k1, gates::poleCurvature) << at.u << ' ' << at.v;
+    EXPECT_NEAR(found->k2, expected->k2, gates::poleCurvature) << at.u << ' ' << at.v;
+}
+
+TEST(SurfaceDifferential, HowFastAPieceIsRunThroughMattersToNoNormalAndNoCurvature) {
+    for (const int degree : {1, 2, 3}) {
+        const Surface wide = inPieces(degree, 0.25);
+        for (const double gap : {1e-3, 1e-6, 1e-8, 1e-10, 2e-12}) {
+            const Surface narrow = inPieces(degree, gap);
+            const double end = 0.5 + gap;
+            for (const double share : {0.0, 0.25, 0.7, 1.0}) {
+                const double u = share == 1 ? end : 0.5 + share * gap;
+                const Side side = share == 1 ? Side::left : Side::right;
+                const double same = 0.5 + (u - 0.5) / (end - 0.5) * 0.25;
+                for (const double v : {0.0, 0.3, 1.0}) {
+                    const Side sideV = v == 1 ? Side::left : Side::right;
+                    expectAlike(narrow, {u, v, side, sideV}, wide, {same, v, side, sideV});
+                }
+            }
+        }
+    }
+}
+
+TEST(SurfaceDifferential, KnotsCloseToEachOtherChangeNoNormal) {
+    const Surface plain = inPieces(3, 0.25);
+    const auto& spline = *plain.as<BsplineSurface>();
+    for (const double gap : {1e-3, 1e-6, 1e-8, 1e-10}) {
+        std::vector<double> refined(spline.breaksU().begin(), spline.breaksU().end());
+        refined.insert(refined.end(), {0.25, 0.25 + gap});
+        std::sort(refined.begin(), refined.end());
+        const Surface close =
+            refine(spline, refined, {spline.breaksV().begin(), spline.breaksV().end()}).value();
+        for (const double u : {0.25, 0.25 + gap / 3, 0.25 + gap}) {
+            for (const double v : {0.0, 0.3}) {
+                const Vec3 off = unitNormal(close, {u, v}) - unitNormal(plain, {u, v});
+                EXPECT_LE(glm::length(off), gates::normalAmongCloseKnots / gap) << gap << ' ' << v;
+            }
         }
     }
 }

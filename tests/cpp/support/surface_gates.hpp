@@ -19,6 +19,8 @@ inline constexpr double curvature = 1e-13;
 // Of any surface, relative to the squares of its curvatures.
 inline constexpr double generalCurvature = 1e-10;
 inline constexpr double poleNormal = 1e-13;
+// Among knots that are close, times their distance.
+inline constexpr double normalAmongCloseKnots = 1e-15;
 inline constexpr double poleCurvature = 1e-9;
 // Grids against single points, coordinates up to 3; normals over |Su × Sv|.
 inline constexpr double gridPoint = 1e-13;
