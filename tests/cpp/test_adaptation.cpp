@@ -1,6 +1,7 @@
 // What follows when one field of an object changes: forms, nets, patches, meshes, fits, types.
 #include "scene/fields.hpp"
 #include "scene/scene.hpp"
+#include "support/curves.hpp"
 #include "support/gates.hpp"
 #include "support/json_text.hpp"
 #include "support/scene_commands.hpp"
@@ -23,16 +24,6 @@ Scene with(std::string_view object) {
 const Object& first(const Scene& scene) { return *scene.state().objects[0]; }
 const Json& spec(const Scene& scene) { return first(scene).spec; }
 
-/// The largest distance at equal parameters of the first curve's domain.
-double moved(const Curve& a, const Curve& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i <= 64; ++i) {
-        const double t = uniformParameter(domain(a), i, 65);
-        largest = std::max(largest, glm::length(pointAt(a, t) - pointAt(b, t)));
-    }
-    return largest;
-}
-
 // --- forms ---------------------------------------------------------------------------------------
 
 constexpr const char* loop = R"({"type": "bspline-curve", "degree": 3, "form": "closed",
@@ -47,10 +38,10 @@ TEST(FormChange, OpeningAClosedCurveDoesNotMoveItAndClosingJoinsItAgain) {
         expectDone(scene, open);
         EXPECT_EQ(spec(scene)["points"].size(), 8U);
         EXPECT_FALSE(isClosed(*first(scene).body.curve()));
-        EXPECT_LE(moved(before, *first(scene).body.curve()), 1e-13) << form;
+        EXPECT_LE(test::distanceBetween(before, *first(scene).body.curve()), 1e-13) << form;
         expectDone(scene, R"({"set": "objects[0].form", "value": "closed"})");
         EXPECT_EQ(spec(scene)["points"].size(), 5U);
-        EXPECT_LE(moved(before, *first(scene).body.curve()), 1e-12) << form;
+        EXPECT_LE(test::distanceBetween(before, *first(scene).body.curve()), 1e-12) << form;
         EXPECT_EQ(spec(scene)["knots"], json("[0,1,1.5,3,4,4.5]"));
     }
 }

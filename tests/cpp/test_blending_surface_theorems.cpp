@@ -1,6 +1,7 @@
 // The theorems of blending surfaces, for patches of every kind and B-functions of most families.
 #include "support/blending_gates.hpp"
 #include "support/blending_surfaces.hpp"
+#include "support/seen_knots.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,34 +28,11 @@ double largestOf(std::span<const Vec3> rows) {
     return largest;
 }
 
-/// A knot of one direction, seen from a side on which there is something of the surface.
-struct SeenKnot {
-    std::size_t patch;  // which is centred there
-    double t;           // in the parameter of the surface …
-    double own;         // … and in that of the patch
-    Side side;
-    double order;  // up to which the B-function has no derivatives there
-};
-
-std::vector<SeenKnot> seenKnots(const BlendDirection& along) {
-    std::vector<SeenKnot> seen;
-    const auto [atZero, atOne] = along.blend.order();
-    for (std::size_t i = 0; i < along.knots.size(); ++i) {
-        const bool wraps = i == along.count;
-        const std::size_t patch = wraps ? 0 : i;
-        if (i > 0) seen.push_back({patch, along.knots[i], along.knots[patch], Side::left, atOne});
-        if (i + 1 < along.knots.size()) {
-            seen.push_back({patch, along.knots[i], along.knots[patch], Side::right, atZero});
-        }
-    }
-    return seen;
-}
-
 TEST(BlendingSurfaceTheorem, AtItsKnotsTheSurfaceHasItsPatchUpToTheHermiteOrders) {
     for (const auto& [blends, blendU, blendV] : test::blendPairs()) {
         for (const auto& [name, surface] : test::blendingSpecimens(blendU, blendV)) {
-            for (const SeenKnot& u : seenKnots(surface.alongU())) {
-                for (const SeenKnot& v : seenKnots(surface.alongV())) {
+            for (const test::SeenKnot& u : test::seenKnots(surface.alongU())) {
+                for (const test::SeenKnot& v : test::seenKnots(surface.alongV())) {
                     const auto got = matrixAt(surface, {u.t, v.t, u.side, v.side}, second);
                     const auto expected = patchAt(surface, u.patch, v.patch,
                                                   {u.own, v.own, u.side, v.side}, second);

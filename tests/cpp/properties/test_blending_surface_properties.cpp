@@ -4,6 +4,7 @@
 #include "properties/surface_generators.hpp"
 
 #include "support/blending_gates.hpp"
+#include "support/seen_knots.hpp"
 #include "support/splines.hpp"
 #include "support/surfaces.hpp"
 
@@ -42,39 +43,14 @@ double leastSpan(const BlendDirection& along) {
     return least;
 }
 
-/// A knot of one direction, seen from a side on which there is something of the surface.
-struct SeenKnot {
-    std::size_t patch;  // which is centred there
-    double t;           // in the parameter of the surface …
-    double own;         // … and in that of the patch
-    Side side;
-    double order;  // up to which the B-function has no derivatives there
-};
-
-std::vector<SeenKnot> seenKnots(const BlendDirection& along) {
-    std::vector<SeenKnot> seen;
-    const auto& knots = along.knots;
-    const auto [atZero, atOne] = along.blend.order();
-    for (std::size_t i = 0; i < knots.size(); ++i) {
-        const std::size_t patch = i == along.count ? 0 : i;
-        if (i > 0 && knots[i - 1] < knots[i]) {
-            seen.push_back({patch, knots[i], knots[patch], Side::left, atOne});
-        }
-        if (i + 1 < knots.size() && knots[i] < knots[i + 1]) {
-            seen.push_back({patch, knots[i], knots[patch], Side::right, atZero});
-        }
-    }
-    return seen;
-}
-
 TEST(BlendingSurfaceProperty, AtItsKnotsItHasTheDerivativesOfItsPatchUpToTheHermiteOrders) {
     test::holds(400, [] {
         const BlendingSurface surface = BlendingSurfaceCase(*test::anyBlendingSurface()).surface();
         const double leastU = leastSpan(surface.alongU());
         const double leastV = leastSpan(surface.alongV());
         std::vector<Vec3> expected(third.size());
-        for (const SeenKnot& u : seenKnots(surface.alongU())) {
-            for (const SeenKnot& v : seenKnots(surface.alongV())) {
+        for (const test::SeenKnot& u : test::seenKnots(surface.alongU())) {
+            for (const test::SeenKnot& v : test::seenKnots(surface.alongV())) {
                 const auto found = matrixAt(surface, {u.t, v.t, u.side, v.side}, third);
                 surface.patch(u.patch, v.patch, {u.own, v.own, u.side, v.side}, third, expected);
                 const double size = largestOf(expected);
