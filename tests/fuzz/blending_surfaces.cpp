@@ -1,7 +1,7 @@
 // Blends of patches of any models, knots, poses and B-functions: refused, or a surface that is the
 // sum of four patches by weights that sum to one, at every knot from both sides, with a grid that has
 // its points and patches that are surfaces by themselves.
-#include "fuzz/input.hpp"
+#include "fuzz/models.hpp"
 
 #include "geometry/patch_surface.hpp"
 #include "geometry/surface_grid.hpp"
@@ -17,21 +17,10 @@ namespace {
 constexpr double rounding = 1e-9;  // relative to the size of the patches
 
 Surface modelOf(fuzz::Input& input) {
-    static constexpr const char* names[] = {"plane",   "cylinder", "torus",    "sphere",  "cone",
-                                            "moebius", "klein",    "helicoid", "seashell"};
     if (input.whole(0, 2) > 0) {
-        const auto u = fuzz::splineOf(input, 4);
-        const auto v = fuzz::splineOf(input, 4);
-        if (u && v) {
-            std::vector<Vec3> points;
-            for (const Vec3& a : u->points()) {
-                for (const Vec3& b : v->points()) points.push_back(0.5 * (a + b));
-            }
-            auto made = BsplineSurface::make(u->knotVector(), v->knotVector(), std::move(points));
-            if (made) return Surface(*std::move(made));
-        }
+        if (auto made = fuzz::translationSurface(input, 4)) return *std::move(made);
     }
-    return Surface(ParametricSurface::make(names[input.whole(0, 8)]).value());
+    return fuzz::namedSurface(input);
 }
 
 BlendDirection directionOf(fuzz::Input& input, const Interval& domain) {

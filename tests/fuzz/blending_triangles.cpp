@@ -1,7 +1,7 @@
 // Blends of three patches of any kind over a triangle: refused, or a surface that is the sum of its
 // patches by weights that are not negative and sum to one, that has its patches in its corners and
 // its derivatives in all orders, and whose grid has its points.
-#include "fuzz/input.hpp"
+#include "fuzz/models.hpp"
 
 #include "geometry/surface_differential.hpp"
 #include "geometry/surface_grid.hpp"
@@ -17,17 +17,8 @@ namespace {
 constexpr double rounding = 1e-9;  // relative to the size of the patches
 
 Surface splineOf(fuzz::Input& input) {
-    const auto u = fuzz::splineOf(input, 5);
-    const auto v = fuzz::splineOf(input, 5);
-    if (u && v) {
-        std::vector<Vec3> points;
-        for (const Vec3& a : u->points()) {
-            for (const Vec3& b : v->points()) points.push_back(0.5 * (a + b));
-        }
-        auto made = BsplineSurface::make(u->knotVector(), v->knotVector(), std::move(points));
-        if (made) return Surface(*std::move(made));
-    }
-    return Surface(ParametricSurface::make("torus").value());
+    if (auto made = fuzz::translationSurface(input, 5)) return *std::move(made);
+    return ParametricSurface::make("torus").value();
 }
 
 TriangleBlend weightsOf(fuzz::Input& input) {
@@ -37,11 +28,9 @@ TriangleBlend weightsOf(fuzz::Input& input) {
 }
 
 Surface patchOf(fuzz::Input& input, int depth) {
-    static constexpr const char* names[] = {"plane",   "cylinder", "torus",    "sphere",  "cone",
-                                            "moebius", "klein",    "helicoid", "seashell"};
     switch (input.whole(0, depth > 0 ? 4 : 1)) {
         case 0: return splineOf(input);
-        case 1: return Surface(ParametricSurface::make(names[input.whole(0, 8)]).value());
+        case 1: return fuzz::namedSurface(input);
         case 2: {
             auto made = BlendingSurface::make(
                 patchOf(input, depth - 1), {.count = 3, .blend = fuzz::blendOf(input, 1)},
