@@ -1,6 +1,7 @@
 // Faces of any vertices, OBJ of any bytes, and solids with dents and holes: refused with a place
 // and a reason, or a mesh whose edges lie in their faces, whose counts add up, which reads back
-// from its own OBJ and whose finer meshes have the counts of their scheme.
+// from its own OBJ and whose finer meshes have the counts of their scheme. Creases of any edges and
+// sharpness likewise: refused, or passed on to where the finer mesh has edges.
 #include "fuzz/input.hpp"
 
 #include "geometry/mesh.hpp"
@@ -10,7 +11,10 @@
 #include "scene/obj.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <string>
 #include <string_view>
+#include <utility>
 
 using namespace knotwork;
 
@@ -136,6 +140,84 @@ void checkMesh(const Mesh& mesh) {
     }
 }
 
+// ---- Creases -----------------------------------------------------------------------------------
+
+double anySharpness(fuzz::Input& input) {
+    switch (input.whole(0, 7)) {
+        case 0: return input.anyNumber();
+        case 1:
+        case 2: return std::numeric_limits<double>::infinity();
+        case 3: return input.whole(0, 4);
+        default: return 4 * input.share();
+    }
+}
+
+/// Of edges that there are, at times twice, and at times of others.
+std::vector<MeshCrease> anyCreases(fuzz::Input& input, const Mesh& mesh) {
+    std::vector<MeshCrease> creases;
+    const auto edges = mesh.edges();
+    if (edges.empty()) return creases;
+    for (int k = input.whole(0, 15); k > 0; --k) {
+        const double place = input.share() * static_cast<double>(edges.size() - 1);
+        const MeshEdge& edge = edges[static_cast<std::size_t>(place)];
+        const int kind = input.whole(0, 31);
+        MeshCrease crease{edge.v0, edge.v1, anySharpness(input)};
+        if (kind % 2 == 0) std::swap(crease.v0, crease.v1);
+        if (kind == 31) crease.v1 = static_cast<std::uint32_t>(input.byte());
+        creases.push_back(crease);
+    }
+    return creases;
+}
+
+/// Two halves of every crease that is still sharp one level finer; on a boundary there are none.
+std::size_t halvesLeft(const Mesh& mesh) {
+    std::size_t halves = 0;
+    for (const MeshCrease& crease : mesh.creases()) {
+        const auto edge = std::find_if(
+            mesh.edges().begin(), mesh.edges().end(), [&crease](const MeshEdge& one) {
+                return std::minmax(one.v0, one.v1) == std::minmax(crease.v0, crease.v1);
+            });
+        if (crease.sharpness > 1 && !edge->onBoundary()) halves += 2;
+    }
+    return halves;
+}
+
+void checkCreased(const Mesh& mesh, MeshScheme scheme) {
+    const bool rules = scheme == MeshScheme::catmullClark || scheme == MeshScheme::loop;
+    const auto finer = subdivide(mesh, scheme, 1);
+    if (!finer) {
+        const std::string& path = finer.error().path;
+        fuzz::check(path.starts_with("faces[") || (path == "scheme" && !rules),
+                    "creases are refused by schemes without rules for them");
+        return;
+    }
+    fuzz::check(rules, "schemes without rules for creases refuse them");
+    checkCounts(mesh, *finer, scheme);
+    for (const Vec3& p : finer->points()) fuzz::check(isFinite(p), "creased points are finite");
+    fuzz::check(finer->creases().size() == halvesLeft(mesh), "creases are halved");
+    const auto left = finer->creases();
+    fuzz::check(finer->withCreases({left.begin(), left.end()}).ok(),
+                "what is left of creases lies on edges of the finer mesh");
+    const auto twice = subdivide(*finer, scheme, 1);
+    const auto atOnce = subdivide(mesh, scheme, 2);
+    fuzz::check(twice.ok() && atOnce.ok() &&
+                    std::equal(twice->points().begin(), twice->points().end(),
+                               atOnce->points().begin(), atOnce->points().end()),
+                "two levels with creases are one and another");
+}
+
+void checkCreases(const Mesh& mesh, std::vector<MeshCrease> creases) {
+    if (creases.empty()) return;
+    const auto made = mesh.withCreases(std::move(creases));
+    if (!made) {
+        fuzz::check(made.error().path.starts_with("creases["), "a refused crease is named");
+        return;
+    }
+    for (int scheme = 0; scheme < static_cast<int>(meshSchemeNames.size()); ++scheme) {
+        checkCreased(*made, static_cast<MeshScheme>(scheme));
+    }
+}
+
 void checkMade(const Result<Mesh>& made) {
     if (made) return checkMesh(*made);
     const bool placed = !made.error().path.empty() && made.error().message.size() > 10;
@@ -174,7 +256,9 @@ void anyFaces(fuzz::Input& input) {
         }
         starts.push_back(static_cast<std::uint32_t>(corners.size()));
     }
-    checkMade(Mesh::make(std::move(points), std::move(corners), std::move(starts)));
+    const auto made = Mesh::make(std::move(points), std::move(corners), std::move(starts));
+    checkMade(made);
+    if (made) checkCreases(*made, anyCreases(input, *made));
 }
 
 /// A solid with its vertices moved and some of its faces missing: always a mesh.
@@ -198,6 +282,7 @@ void dentedSolid(fuzz::Input& input) {
     const auto made = Mesh::make(std::move(points), std::move(corners), std::move(starts));
     fuzz::check(made.ok(), "faces of a mesh are a mesh");
     checkMesh(*made);
+    checkCreases(*made, anyCreases(input, *made));
 }
 
 }  // namespace
