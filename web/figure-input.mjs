@@ -1,5 +1,6 @@
 // Hands and keys on the picture. A figure is a guest: wheel and finger scroll the page unless a
-// handle is hit, Tab always leaves, and nothing is heard outside the figure's own elements.
+// handle is hit, Tab always leaves, and nothing is heard outside the figure's own elements. A scene
+// in space is turned by a finger that goes across; two fingers move and scale any picture.
 
 /** @typedef {import('./page-module.mjs').App} App */
 
@@ -19,6 +20,9 @@ export class FigureInput {
     /** @type {Set<string>} */
     #keysDown = new Set();
     #abort = new AbortController();
+    /** @type {Map<number, { x: number, y: number }>} where fingers are, by pointer */
+    #fingers = new Map();
+    #pinching = false;
 
     /**
      * @param {HTMLElement} wrapper
@@ -35,6 +39,7 @@ export class FigureInput {
         }
         const active = { ...options, passive: false };
         wrapper.addEventListener('touchstart', (event) => this.#touch(event), active);
+        wrapper.addEventListener('contextmenu', (event) => this.#menu(event), active);
         wrapper.addEventListener('wheel', (event) => this.#wheel(event), active);
         wrapper.addEventListener('keydown', (event) => this.#key(event, true), options);
         wrapper.addEventListener('keyup', (event) => this.#key(event, false), options);
@@ -44,6 +49,15 @@ export class FigureInput {
 
     dispose() {
         this.#abort.abort();
+    }
+
+    /** What a finger may do across the picture is the browser's to know before it comes down. */
+    follow() {
+        this.wrapper.toggleAttribute('data-space', this.#spatial);
+    }
+
+    get #spatial() {
+        return this.target.app.spatial(this.target.id);
     }
 
     /** @param {{ clientX: number, clientY: number }} event */
@@ -57,7 +71,9 @@ export class FigureInput {
      * @param {PointerEvent} event
      */
     #pointer(kind, event) {
-        if (kind === 'down' && event.pointerType === 'mouse' && event.button > 1) return;
+        const buttons = this.#spatial ? 3 : 2;
+        if (kind === 'down' && event.pointerType === 'mouse' && event.button >= buttons) return;
+        if (event.pointerType === 'touch' && this.#pinch(kind, event)) return;
         const { app, id } = this.target;
         const { x, y } = this.#place(event);
         if (kind === 'down') app.focus(id);  // before the press, which a change of focus would end
@@ -68,10 +84,47 @@ export class FigureInput {
     }
 
     /**
+     * Whether the fingers are two, or were until one of them was lifted: then they are one hand.
+     * @param {string} kind
+     * @param {PointerEvent} event
+     */
+    #pinch(kind, event) {
+        const fingers = this.#fingers;
+        const { app, id } = this.target;
+        const before = spanOf(fingers);
+        if (kind === 'down' || (kind === 'move' && fingers.has(event.pointerId))) {
+            fingers.set(event.pointerId, this.#place(event));
+        } else if (kind !== 'move') {
+            fingers.delete(event.pointerId);
+        }
+        const now = spanOf(fingers);
+        if (now && !this.#pinching) {
+            const { x, y } = now;
+            app.pointer(id, 'cancel', x, y, 0, 0, 'touch');
+            this.#pinching = true;
+        } else if (now && before && before.length > 0) {
+            app.pinch(id, now.x, now.y, now.x - before.x, now.y - before.y, now.length / before.length);
+        }
+        const pinching = this.#pinching;
+        if (fingers.size === 0) this.#pinching = false;
+        if (pinching) this.target.acted();
+        return pinching;
+    }
+
+    /** @param {MouseEvent} event the button that opens the menu moves the picture in space */
+    #menu(event) {
+        if (this.#spatial && event.button === 2) event.preventDefault();
+    }
+
+    /**
      * Decides whether this finger drags or scrolls; the browser asks only once, here.
      * @param {TouchEvent} event
      */
     #touch(event) {
+        if (event.targetTouches.length === 2) {
+            event.preventDefault();
+            return;
+        }
         const finger = event.touches[0];
         const { x, y } = this.#place(finger);
         const holds = event.touches.length === 1 && !this.target.readOnly() &&
@@ -123,6 +176,16 @@ export class FigureInput {
         this.#keysDown.clear();
         this.target.acted();
     }
+}
+
+/**
+ * Middle and distance of two fingers.
+ * @param {Map<number, { x: number, y: number }>} fingers
+ */
+function spanOf(fingers) {
+    if (fingers.size !== 2) return undefined;
+    const [a, b] = fingers.values();
+    return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, length: Math.hypot(a.x - b.x, a.y - b.y) };
 }
 
 /** @type {[string, string][]} */

@@ -37,6 +37,7 @@ const layout = `
     -webkit-tap-highlight-color: transparent;
     touch-action: pan-x pan-y pinch-zoom;
 }
+.view[data-space] { touch-action: pan-y; }
 .view canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
 .view:focus-visible::after {
     content: "";

@@ -348,6 +348,7 @@ export class Figure {
 
     #refreshToolbar() {
         if (!this.#stage) return;
+        this.#input?.follow();
         this.controls.update({
             moves: this.#moves,
             playing: this.playing,

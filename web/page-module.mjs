@@ -23,11 +23,13 @@ import { makeApi } from './api.mjs';
  * @property {(id: number) => void} fit
  * @property {(id: number, kind: string, x: number, y: number, buttons: number, modifiers: number,
  *     type: string) => boolean} pointer
+ * @property {(id: number, x: number, y: number, dx: number, dy: number, factor: number) => boolean} pinch
  * @property {(id: number, x: number, y: number, dx: number, dy: number, modifiers: number) => boolean} wheel
  * @property {(id: number, key: string, down: boolean, modifiers: number) => boolean} key
  * @property {(id: number, text: string) => void} text
  * @property {(id: number, x: number, y: number, type: string) => boolean} hits
  * @property {(id: number) => string} cursor
+ * @property {(id: number) => boolean} spatial
  * @property {(id: number, playing: boolean) => void} setPlaying
  * @property {(id: number) => boolean} playing
  * @property {(id: number, phase: number) => void} setPhase

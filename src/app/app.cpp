@@ -245,6 +245,11 @@ bool App::pointer(int id, const std::string& kind, double x, double y, int butto
     return view->pointer({kind, {x, y}, buttons, modifiers, pointerType, now()});
 }
 
+bool App::pinch(int id, double x, double y, double dx, double dy, double factor) {
+    View* view = parts_->view(id);
+    return view != nullptr && view->pinch({x, y}, {dx, dy}, factor);
+}
+
 bool App::wheel(int id, double x, double y, double dx, double dy, int modifiers) {
     View* view = parts_->view(id);
     if (view == nullptr) return false;
@@ -289,6 +294,11 @@ std::string App::cursor(int id) const {
         return std::string(parts_->host.cursor());
     }
     return view->cursor();
+}
+
+bool App::spatial(int id) const {
+    View* view = parts_->view(id);
+    return view != nullptr && view->spatial();
 }
 
 void App::setPlaying(int id, bool playing) {

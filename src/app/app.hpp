@@ -43,12 +43,16 @@ public:
     /// kind: down, move, up, cancel, leave. Returns whether the view takes the event for itself.
     bool pointer(int id, const std::string& kind, double x, double y, int buttons, int modifiers,
                  const std::string& pointerType);
+    /// Two fingers have moved by dx, dy and `factor` times apart; x, y is the place between them.
+    bool pinch(int id, double x, double y, double dx, double dy, double factor);
     bool wheel(int id, double x, double y, double dx, double dy, int modifiers);
     bool key(int id, const std::string& key, bool down, int modifiers);
     void text(int id, const std::string& utf8);
     /// Whether there is something to take hold of at this place (for the page's touch-action).
     bool hits(int id, double x, double y, const std::string& pointerType);
     std::string cursor(int id) const;
+    /// Whether the view shows a world in space, which a hand turns.
+    bool spatial(int id) const;
 
     void setPlaying(int id, bool playing);
     bool playing(int id) const;

@@ -1,8 +1,12 @@
 #include "app/drag.hpp"
 
+#include "ui/plot.hpp"
+
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace knotwork::app {
@@ -14,11 +18,6 @@ using scene::Json;
 constexpr double snapPixels = 6;             // to another knot
 constexpr double radiansPerPixel = 0.01;     // a turn is a drag of 630 pixels
 constexpr double pixelsPerDoubling = 100;
-
-Affine inverseOf(const Affine& placement) noexcept {
-    const Mat3 linear = glm::inverse(placement.linear);
-    return {linear, -(linear * placement.offset)};
-}
 
 std::vector<double> numbersOf(const Json& list) {
     std::vector<double> numbers;
@@ -47,21 +46,21 @@ Json moveCommand(std::string path, Json to) {
     return result;
 }
 
-Json poseCommand(const std::string& object, std::size_t local, const Pose& pose) {
-    Json value = Json::object();
-    value["object"] = object;
-    value["local"] = local;
-    value["translate"] = vector(pose.translate, 3);
-    value["rotate"] = Json::object();
-    value["rotate"]["axis"] = vector(pose.axis, 3);
-    value["rotate"]["angle"] = pose.angle;
-    value["scale"] = pose.scale.x == pose.scale.y && pose.scale.y == pose.scale.z
-                         ? Json(pose.scale.x)
-                         : vector(pose.scale, 3);
-    return command("pose", std::move(value));
-}
+/// An axis that is seen this much shorter than the longest is not one that a hand can mean.
+constexpr double leastSeen = 0.1;
+/// A plane that is seen at less than this sine is not one to slide along.
+constexpr double leastTilt = 0.15;
 
-double unitsPerPixel(const PlaneMap& map) noexcept { return 1 / std::max(map.scaleX, 1e-300); }
+double lengthOf(const Pixel& v) noexcept { return std::hypot(v.x, v.y); }
+double dot(const Pixel& a, const Pixel& b) noexcept { return a.x * b.x + a.y * b.y; }
+
+Vec3 pointOf(const std::vector<double>& numbers) noexcept {
+    Vec3 p{0.0};
+    for (std::size_t k = 0; k < std::min<std::size_t>(numbers.size(), 3); ++k) {
+        p[static_cast<glm::length_t>(k)] = numbers[k];
+    }
+    return p;
+}
 
 }  // namespace
 
@@ -80,22 +79,23 @@ double roundedTo(double value, double unitsPerPixel) noexcept {
 
 std::optional<Drag> Drag::begin(const scene::State& state, const Target& target,
                                 const Affine& placement, const Pixel& pressed,
-                                const PlaneMap& map) {
+                                const Sight& sight, bool inSpace) {
     if (target.object < 0 || static_cast<std::size_t>(target.object) >= state.objects.size()) {
         return std::nullopt;
     }
     const scene::Object& object = *state.objects[static_cast<std::size_t>(target.object)];
     Drag drag;
     drag.target_ = target;
-    drag.pressed_ = pressed;
-    const Pixel at = map.toPixels(target.at);
+    const Pixel at = sight.toPixels(target.at);
     drag.grabbed_ = {pressed.x - at.x, pressed.y - at.y};
-    drag.toObject_ = inverseOf(placement);
+    drag.placement_ = placement;
+    drag.toObject_ = glm::inverse(placement.linear);
+    drag.inSpace_ = inSpace;
     drag.objectId_ = object.id;
     if (target.kind == TargetKind::pose) {
-        const auto* blend = object.body.as<BlendingCurve>();
-        if (blend == nullptr || target.index >= blend->locals().size()) return std::nullopt;
-        drag.pose_ = blend->locals()[target.index].pose();
+        const auto local = posedLocal(object.body, target.index);
+        if (!local) return std::nullopt;
+        drag.local_ = *local;
         return drag;
     }
     const bool knot = target.kind == TargetKind::knot;
@@ -110,36 +110,77 @@ std::optional<Drag> Drag::begin(const scene::State& state, const Target& target,
     return drag;
 }
 
-Vec3 Drag::worldUnder(const Pixel& pointer, const PlaneMap& map) const noexcept {
-    Vec3 world = map.fromPixels({pointer.x - grabbed_.x, pointer.y - grabbed_.y});
-    world.z = target_.at.z;
-    return world;
-}
-
-std::vector<Json> Drag::commands(const Pixel& pointer, const PlaneMap& map, int modifiers) {
-    const Vec3 world = worldUnder(pointer, map);
+std::vector<Json> Drag::commands(const Pixel& pointer, const Sight& sight, int modifiers) {
+    const Pixel held{pointer.x - grabbed_.x, pointer.y - grabbed_.y};
     switch (target_.kind) {
-        case TargetKind::point: return {movePoint(world, map, (modifiers & shiftKey) != 0)};
-        case TargetKind::knot: return moveKnot(world.x, map);
-        case TargetKind::pose: return {poseLocal(pointer, map, modifiers)};
+        case TargetKind::point: return {movePoint(held, sight, modifiers)};
+        case TargetKind::knot: return moveKnot(held, sight);
+        case TargetKind::pose: return {poseLocal(held, sight, modifiers)};
     }
     return {};
 }
 
-Json Drag::movePoint(const Vec3& world, const PlaneMap& map, bool straight) const {
-    const std::vector<double> was = numbersOf(original_);
-    Vec3 to = toObject_.point(world);
-    to.x = roundedTo(to.x, unitsPerPixel(map));
-    to.y = roundedTo(to.y, unitsPerPixel(map));
-    if (was.size() > 2) to.z = was[2];
-    if (straight && was.size() >= 2) {
-        const bool level = std::abs(to.x - was[0]) >= std::abs(to.y - was[1]);
-        (level ? to.y : to.x) = level ? was[1] : was[0];
+Vec3 Drag::alongAxis(const Pixel& by, const Sight& sight, bool inPlane) const noexcept {
+    Vec3 best{0.0};
+    double farthest = 0;
+    std::array<Pixel, 3> seen;
+    double longest = 0;
+    for (glm::length_t k = 0; k < 3; ++k) {
+        const Pixel axis = sight.pixelVector(placement_.linear[k]);
+        seen[static_cast<std::size_t>(k)] = axis;
+        longest = std::max(longest, lengthOf(axis));
     }
+    for (glm::length_t k = 0; k < (inPlane ? 2 : 3); ++k) {
+        const Pixel axis = seen[static_cast<std::size_t>(k)];
+        const double length = lengthOf(axis);
+        if (!(length > leastSeen * longest)) continue;
+        const double reach = dot(by, axis) / length;
+        if (std::abs(reach) <= std::abs(farthest)) continue;
+        farthest = reach;
+        best = Vec3{0.0};
+        best[k] = reach / length;
+    }
+    return best;
+}
+
+Vec3 Drag::acrossScreen(const Pixel& by, const Sight& sight, bool inPlane) const noexcept {
+    Vec3 to = toObject_ * sight.vector(by);
+    if (!inPlane) return to;
+    const Vec3 eye = glm::normalize(toObject_ * sight.towardsEye());
+    if (std::abs(eye.z) > leastTilt) to -= eye * (to.z / eye.z);
+    to.z = 0;
+    return to;
+}
+
+Vec3 Drag::moved(const Vec3& start, const Pixel& held, const Sight& sight, int modifiers,
+                 bool inPlane) const noexcept {
+    const Pixel at = sight.toPixels(target_.at);
+    const Pixel by{held.x - at.x, held.y - at.y};
+    Vec3 to = start + ((modifiers & shiftKey) != 0 ? alongAxis(by, sight, inPlane)
+                                                   : acrossScreen(by, sight, inPlane));
+    const double pixel = sight.unitsPerPixel();
+    const double step = ui::planeGridStep(1 / pixel);
+    for (glm::length_t k = 0; k < 3; ++k) {
+        // What stays where it is keeps all its digits.
+        if (std::abs(to[k] - start[k]) < 1e-6 * pixel) {
+            to[k] = start[k];
+        } else if ((modifiers & commandKey) != 0) {
+            to[k] = roundedTo(std::round(to[k] / step) * step, step / 10);
+        } else {
+            to[k] = roundedTo(to[k], pixel);
+        }
+    }
+    return to;
+}
+
+Json Drag::movePoint(const Pixel& held, const Sight& sight, int modifiers) const {
+    const std::vector<double> was = numbersOf(original_);
+    const Vec3 to = moved(pointOf(was), held, sight, modifiers, was.size() < 3);
     return moveCommand(target_.path(), vector(to, was.size()));
 }
 
-std::vector<Json> Drag::moveKnot(double t, const PlaneMap& map) {
+std::vector<Json> Drag::moveKnot(const Pixel& held, const Sight& sight) {
+    const double t = sight.fromPixels(held, target_.at).x;
     const double was = knots_[target_.index];
     const auto [first, last] = std::equal_range(knots_.begin(), knots_.end(), was);
     // Of a pile the outermost knot on the side of the move goes: the others could not let it by.
@@ -149,8 +190,8 @@ std::vector<Json> Drag::moveKnot(double t, const PlaneMap& map) {
     double high = last == knots_.end() ? 1e9 : *last;
     if (rightwards) low = was;
     if (!rightwards) high = was;
-    const double snap = snapPixels * unitsPerPixel(map);
-    double to = roundedTo(t, unitsPerPixel(map));
+    const double snap = snapPixels * sight.unitsPerPixel();
+    double to = roundedTo(t, sight.unitsPerPixel());
     for (const double place : {low, high}) {
         if (std::abs(t - place) <= snap) to = place;
     }
@@ -165,20 +206,17 @@ std::vector<Json> Drag::moveKnot(double t, const PlaneMap& map) {
     return commands;
 }
 
-Json Drag::poseLocal(const Pixel& pointer, const PlaneMap& map, int modifiers) const {
-    Pose pose = pose_;
-    const Pixel by{pointer.x - pressed_.x, pointer.y - pressed_.y};
+Json Drag::poseLocal(const Pixel& held, const Sight& sight, int modifiers) const {
+    Pose pose = local_.pose;
+    const Pixel at = sight.toPixels(target_.at);
     if ((modifiers & altKey) != 0) {
-        pose.scale = pose_.scale * std::exp2(-by.y / pixelsPerDoubling);
-    } else if ((modifiers & shiftKey) != 0) {
-        pose.angle = pose_.angle + radiansPerPixel * by.x;
+        pose.scale = pose.scale * std::exp2(-(held.y - at.y) / pixelsPerDoubling);
+    } else if ((modifiers & shiftKey) != 0 && !inSpace_) {
+        pose.angle += radiansPerPixel * (held.x - at.x);
     } else {
-        const Vec3 world{by.x / map.scaleX, -by.y / map.scaleY, 0};
-        pose.translate = pose_.translate + toObject_.vector(world);
-        pose.translate.x = roundedTo(pose.translate.x, unitsPerPixel(map));
-        pose.translate.y = roundedTo(pose.translate.y, unitsPerPixel(map));
+        pose.translate = moved(pose.translate, held, sight, modifiers, false);
     }
-    return poseCommand(objectId_, target_.index, pose);
+    return poseCommand(objectId_, local_.name, pose);
 }
 
 }  // namespace knotwork::app

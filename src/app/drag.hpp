@@ -4,17 +4,14 @@
 // the pointer is now; so no drift accumulates and the last command alone says where things ended.
 #pragma once
 
+#include "app/sight.hpp"
 #include "app/target.hpp"
-#include "ui/plane_map.hpp"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace knotwork::app {
-
-using ui::Pixel;
-using ui::PlaneMap;
 
 /// Modifier bits of the page.
 enum Modifier : int { shiftKey = 1, commandKey = 2, altKey = 4 };
@@ -25,35 +22,44 @@ enum Modifier : int { shiftKey = 1, commandKey = 2, altKey = 4 };
 class Drag {
 public:
     /// Nothing where the target is not (or no longer) in the document. `placement` is how effects
-    /// have placed the target's object at the moment.
+    /// have placed the target's object at the moment; `inSpace` where the pane is no plane.
     [[nodiscard]] static std::optional<Drag> begin(const scene::State& state, const Target& target,
                                                    const Affine& placement, const Pixel& pressed,
-                                                   const PlaneMap& map);
+                                                   const Sight& sight, bool inSpace);
 
-    /// The commands, without a gesture, that bring the target under the pointer. A point moves
-    /// (Shift: along one axis); a knot stays between its neighbours and snaps to them; a local
-    /// curve moves, turns with Shift and scales with Alt.
-    [[nodiscard]] std::vector<scene::Json> commands(const Pixel& pointer, const PlaneMap& map,
+    /// The commands, without a gesture, that bring the target under the pointer. A point moves in
+    /// the plane through it parallel to the screen, one of two coordinates in its own plane (Shift:
+    /// along the axis that is seen nearest to the move); a knot stays between its neighbours and
+    /// snaps to them; a local curve or patch moves as a point does and scales with Alt. In a plane
+    /// Shift turns it.
+    [[nodiscard]] std::vector<scene::Json> commands(const Pixel& pointer, const Sight& sight,
                                                     int modifiers);
 
     [[nodiscard]] const Target& target() const noexcept { return target_; }
 
 private:
     Drag() = default;
-    [[nodiscard]] Vec3 worldUnder(const Pixel& pointer, const PlaneMap& map) const noexcept;
-    [[nodiscard]] scene::Json movePoint(const Vec3& world, const PlaneMap& map, bool straight) const;
-    [[nodiscard]] std::vector<scene::Json> moveKnot(double t, const PlaneMap& map);
-    [[nodiscard]] scene::Json poseLocal(const Pixel& pointer, const PlaneMap& map,
-                                        int modifiers) const;
+    // Of vectors in the object's coordinates: by what a point moves that is seen to move by so many
+    // pixels; `inPlane` without leaving a plane z = constant.
+    [[nodiscard]] Vec3 alongAxis(const Pixel& by, const Sight& sight, bool inPlane) const noexcept;
+    [[nodiscard]] Vec3 acrossScreen(const Pixel& by, const Sight& sight,
+                                    bool inPlane) const noexcept;
+    /// Where `start` ends, as round as a pixel allows, when the target is seen at `held`.
+    [[nodiscard]] Vec3 moved(const Vec3& start, const Pixel& held, const Sight& sight, int modifiers,
+                             bool inPlane) const noexcept;
+    [[nodiscard]] scene::Json movePoint(const Pixel& held, const Sight& sight, int modifiers) const;
+    [[nodiscard]] std::vector<scene::Json> moveKnot(const Pixel& held, const Sight& sight);
+    [[nodiscard]] scene::Json poseLocal(const Pixel& held, const Sight& sight, int modifiers) const;
 
     Target target_;
-    Pixel pressed_;
     Pixel grabbed_;             ///< from the target to the pointer when it was pressed
-    Affine toObject_;           ///< from the world to the object's own coordinates
+    Affine placement_;          ///< of the object in the world
+    Mat3 toObject_{1.0};        ///< vectors of the world in the object's own coordinates
+    bool inSpace_ = false;
     std::string objectId_;
     scene::Json original_;      ///< of a point
     std::vector<double> knots_; ///< all of the list, of a knot
-    Pose pose_;                 ///< of a local curve
+    PosedLocal local_;          ///< of a handle
     std::optional<std::size_t> movedKnot_;  ///< which of a pile was moved last
 };
 

@@ -4,6 +4,9 @@
 #include "ui/basis_plot.hpp"
 #include "ui/bfunction_plot.hpp"
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 
 namespace knotwork::app {
@@ -91,20 +94,33 @@ bool wantsGrid(const drawing::Drawing& drawing) noexcept {
     });
 }
 
+/// The radius of a sphere about the middle that holds the bounds.
+double reachOf(const drawing::Bounds& bounds, const Vec3& middle) noexcept {
+    const Vec3 low = glm::abs(bounds.min - middle);
+    const Vec3 high = glm::abs(bounds.max - middle);
+    return bounds.empty ? 1 : std::max(glm::length(glm::max(low, high)), 1e-9);
+}
+
 void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
                   const Camera& camera, const ui::Theme& colours) {
     PaneFigure pane;
     pane.plot.pane = Pane::curve;
     pane.plot.box = pane.plot.area = box;
     pane.plot.map = camera.map(box);
-    if (wantsGrid(*request.drawing)) ui::addPlaneGrid(pane.plot, colours);
+    pane.sight = camera.sight(box);
+    pane.middle = camera.aim().centre;
+    if (request.spatial || !pane.sight.flat()) {
+        pane.reach = reachOf(request.drawing->bounds, pane.middle);
+    } else if (wantsGrid(*request.drawing)) {
+        ui::addPlaneGrid(pane.plot, colours);
+    }
     for (const Shape& shape : request.drawing->shapes) {
         if (shape.pane != Pane::curve) continue;
         if (request.emphasis.quiet && shape.role == drawing::Role::handle) continue;
         if (shape.kind != Kind::label) {
             pane.shapes.push_back(painted(shape, request.emphasis));
         } else if (!shape.positions.empty()) {
-            const Pixel at = pane.plot.map.toPixels(positionOf(shape, 0));
+            const Pixel at = pane.sight.toPixels(positionOf(shape, 0));
             pane.plot.labels.push_back({shape.text,
                                         {at.x + static_cast<double>(shape.offset[0]),
                                          at.y + static_cast<double>(shape.offset[1])},
@@ -123,6 +139,7 @@ void addPlot(Figure& figure, ui::Plot plot, int object, const FigureRequest& req
             pane.shapes.push_back(painted(shape, request.emphasis));
         }
     }
+    pane.sight = Sight(plot.map);
     pane.plot = std::move(plot);
     figure.panes.push_back(std::move(pane));
 }

@@ -46,6 +46,11 @@ struct Painted {
 
 struct PaneFigure {
     ui::Plot plot;
+    Sight sight;         ///< of the plot's plane, or of the world
+    /// Of a pane in space: how far in front of the middle or behind it things may stand, in units;
+    /// of a plane 0.
+    double reach = 0;
+    Vec3 middle{0.0};    ///< of what is seen
     std::vector<Painted> shapes;
     std::vector<Shape> below;  ///< halos, painted before the shapes
     std::vector<Shape> above;  ///< the point at the parameter, painted after them
@@ -72,6 +77,7 @@ struct FigureRequest {
     Box box;                 ///< of the whole view that the figure may fill
     int object = -1;         ///< whose functions are plotted, or the first that has some
     double curveAspect = 1;  ///< width of what the camera fits over its height
+    bool spatial = false;    ///< the curve's pane shows a world in space
     bool dark = false;
     std::string orderWords = Words{}.order;
     Emphasis emphasis;

@@ -12,7 +12,8 @@ namespace knotwork::app {
 /// Half of 24 CSS pixels for a mouse or pen, half of 44 for touch (WCAG 2.2, 2.5.8 and 2.5.5).
 [[nodiscard]] double hitRadius(std::string_view pointerType) noexcept;
 
-/// The nearest target within the radius; of equally near ones that painted last.
+/// The nearest target within the radius, of almost equally near ones that in front, of those that
+/// painted last. What a surface hides is found only where nothing else is.
 [[nodiscard]] std::optional<Target> targetAt(const Figure& figure, const Pixel& p, double radius);
 
 struct BasisHit {

@@ -33,6 +33,21 @@ Projection projectionOf(const PlaneMap& map, const Rect& rect, const Canvas& can
                             1 / (map.scaleY * canvas.pixelRatio));
 }
 
+/// The same of a pane in space: what lies within its reach is between near and far.
+Projection projectionOf(const PaneFigure& pane, const Rect& rect, const Canvas& canvas) noexcept {
+    const Pixel middle{(rect.x + rect.width / 2.0) / canvas.pixelRatio,
+                       (canvas.height - rect.y - rect.height / 2.0) / canvas.pixelRatio};
+    const double pixel = pane.sight.unitsPerPixel() / canvas.pixelRatio;
+    const Vec3 scale{2 / (pixel * std::max(rect.width, 1)), 2 / (pixel * std::max(rect.height, 1)),
+                     -1 / pane.reach};
+    glm::dmat4 clip(1.0);
+    for (glm::length_t column = 0; column < 3; ++column) {
+        const Vec3 seen = scale * pane.sight.orientation()[column];
+        clip[column] = glm::dvec4(seen, 0.0);
+    }
+    return Projection::general(rect, pane.sight.fromPixels(middle, pane.middle), clip);
+}
+
 void paintLines(Renderer& renderer, const std::vector<ui::Lines>& all) {
     for (const ui::Lines& lines : all) {
         if (lines.segments.empty()) continue;
@@ -63,8 +78,9 @@ void paintPane(Renderer& renderer, const PaneFigure& pane, const Canvas& canvas,
     if (rect.width < 1 || rect.height < 1) return;
     const scene::Colour& background =
         pane.plot.pane == Pane::curve ? theme.background : theme.plotBackground;
-    renderer.beginPane(rect, projectionOf(pane.plot.map, rect, canvas), canvas.pixelRatio,
-                       background);
+    const Projection projection = pane.reach > 0 ? projectionOf(pane, rect, canvas)
+                                                 : projectionOf(pane.plot.map, rect, canvas);
+    renderer.beginPane(rect, projection, canvas.pixelRatio, background);
     std::vector<render::Highlight> highlights;
     paintLines(renderer, pane.plot.under);
     for (const Shape& shape : pane.below) {

@@ -67,12 +67,13 @@ double toleranceAt(double devicePixelsPerUnit) noexcept {
 
 double pixelAt(double tolerance) noexcept { return tolerance / invisible; }
 
-drawing::Bounds loopBounds(const scene::State& state) {
+drawing::Bounds loopBounds(const scene::State& state, const drawing::Orientation& orientation) {
     drawing::Bounds bounds;
     const int moments = state.effects.empty() ? 1 : momentsOfLoop;
     for (int k = 0; k < moments; ++k) {
         const double phase = static_cast<double>(k) / momentsOfLoop;
-        for (const scene::Placed& placed : scene::place(state, {phase, std::nullopt})) {
+        for (scene::Placed& placed : scene::place(state, {phase, std::nullopt})) {
+            placed.placement = compose({orientation, Vec3(0.0)}, placed.placement);
             addPlaced(bounds, placed);
         }
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drawing/drawing_cache.hpp"
+#include "drawing/screen.hpp"
 #include "scene/scene.hpp"
 
 #include <optional>
@@ -14,8 +15,11 @@ namespace knotwork::app {
 /// About how many world units a device pixel is where that is the tolerance.
 [[nodiscard]] double pixelAt(double tolerance) noexcept;
 
-/// The bounds of all that moves, over a whole loop, so that nothing leaves a view that fits them.
-[[nodiscard]] drawing::Bounds loopBounds(const scene::State& state);
+/// The bounds of all that moves, over a whole loop, so that nothing leaves a view that fits them, as
+/// they are after the orientation.
+[[nodiscard]] drawing::Bounds loopBounds(
+    const scene::State& state,
+    const drawing::Orientation& orientation = drawing::planeOrientation());
 
 class Picture {
 public:

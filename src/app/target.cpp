@@ -6,11 +6,43 @@ namespace knotwork::app {
 
 std::optional<TargetKind> kindOfList(std::string_view list) noexcept {
     const std::size_t dot = list.rfind('.');
-    const std::string_view name = dot == std::string_view::npos ? list : list.substr(dot + 1);
-    if (name == "points") return TargetKind::point;
+    std::string_view name = dot == std::string_view::npos ? list : list.substr(dot + 1);
+    name = name.substr(0, name.find('['));
+    if (name == "points" || name == "vertices") return TargetKind::point;
     if (name == "knots") return TargetKind::knot;
     if (name == "poses") return TargetKind::pose;
     return std::nullopt;
+}
+
+std::optional<PosedLocal> posedLocal(const scene::Body& body, std::size_t k) {
+    if (const auto* curve = body.as<BlendingCurve>()) {
+        if (k >= curve->locals().size()) return std::nullopt;
+        const LocalCurve& local = curve->locals()[k];
+        return PosedLocal{k, local.pose(), local.origin()};
+    }
+    const auto* surface = body.as<BlendingSurface>();
+    if (surface == nullptr) return std::nullopt;
+    const std::size_t i = k / surface->alongV().count;
+    const std::size_t j = k % surface->alongV().count;
+    if (i >= surface->alongU().count) return std::nullopt;
+    const PatchPlace& place = surface->place(i, j);
+    return PosedLocal{scene::Json::array({i, j}), place.pose(), place.origin()};
+}
+
+scene::Json poseCommand(const std::string& object, const scene::Json& local, const Pose& pose) {
+    const bool uniform = pose.scale.x == pose.scale.y && pose.scale.y == pose.scale.z;
+    const auto list = [](const Vec3& v) { return scene::Json::array({v.x, v.y, v.z}); };
+    scene::Json value = scene::Json::object();
+    value["object"] = object;
+    value["local"] = local;
+    value["translate"] = list(pose.translate);
+    value["rotate"] = scene::Json::object();
+    value["rotate"]["axis"] = list(pose.axis);
+    value["rotate"]["angle"] = pose.angle;
+    value["scale"] = uniform ? scene::Json(pose.scale.x) : list(pose.scale);
+    scene::Json command = scene::Json::object();
+    command["pose"] = std::move(value);
+    return command;
 }
 
 bool offers(const Shape& shape) noexcept {
@@ -46,11 +78,15 @@ std::optional<Target> findTarget(const drawing::Drawing& drawing, std::string_vi
     return std::nullopt;
 }
 
-std::size_t listLength(const drawing::Drawing& drawing, std::string_view list) {
+std::vector<std::string> siblingsOf(const drawing::Drawing& drawing, const Target& target) {
+    std::vector<std::string> paths;
     for (const Shape& shape : drawing.shapes) {
-        if (shape.path == list && offers(shape)) return shape.positions.size() / 3;
+        const bool sibling = shape.object == target.object && shape.pane == target.pane &&
+                             offers(shape) && kindOfList(shape.path) == target.kind;
+        const std::size_t count = sibling ? shape.positions.size() / 3 : 0;
+        for (std::size_t k = 0; k < count; ++k) paths.push_back(indexed(shape.path, k));
     }
-    return 0;
+    return paths;
 }
 
 const scene::Json* valueAt(const scene::State& state, std::string_view path) {

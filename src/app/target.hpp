@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace knotwork::app {
 
@@ -29,7 +30,20 @@ struct Target {
     }
 };
 
-/// By the last name of the list; nothing for a list that cannot be dragged.
+/// A local curve or patch that a handle stands for.
+struct PosedLocal {
+    scene::Json name;  ///< as poses name it: j, or [i, j]
+    Pose pose;
+    Vec3 origin{0.0};  ///< its pivot before it is posed, in the object's coordinates
+};
+/// That of the k-th handle of an object, or nothing where there is none.
+[[nodiscard]] std::optional<PosedLocal> posedLocal(const scene::Body& body, std::size_t k);
+
+/// The pose command that puts it so.
+[[nodiscard]] scene::Json poseCommand(const std::string& object, const scene::Json& local,
+                                      const Pose& pose);
+
+/// By the last name of the list, whose rows count as it does; nothing for a list that cannot be dragged.
 [[nodiscard]] std::optional<TargetKind> kindOfList(std::string_view list) noexcept;
 [[nodiscard]] std::string_view kindName(TargetKind kind) noexcept;
 
@@ -40,8 +54,10 @@ struct Target {
 /// The target of this path in a drawing, or nothing where the drawing does not show it.
 [[nodiscard]] std::optional<Target> findTarget(const drawing::Drawing& drawing,
                                                std::string_view path);
-/// How many elements of a list the drawing shows.
-[[nodiscard]] std::size_t listLength(const drawing::Drawing& drawing, std::string_view list);
+/// The paths of all targets of the same kind and object that the drawing shows, a net's row after
+/// row.
+[[nodiscard]] std::vector<std::string> siblingsOf(const drawing::Drawing& drawing,
+                                                  const Target& target);
 
 /// The value at a path such as `objects[0].points[2]`, or null.
 [[nodiscard]] const scene::Json* valueAt(const scene::State& state, std::string_view path);

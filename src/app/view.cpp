@@ -18,11 +18,6 @@ std::vector<double> periodsOf(const scene::State& state) {
     return periods;
 }
 
-const Json* cameraOf(const scene::State& state) noexcept {
-    const Json* view = state.header ? scene::member(*state.header, "view") : nullptr;
-    return view != nullptr ? scene::member(*view, "camera") : nullptr;
-}
-
 /// Width over height, within what a layout can follow.
 double aspectOf(const drawing::Bounds& bounds) noexcept {
     const Vec3 size = bounds.max - bounds.min;
@@ -72,7 +67,7 @@ void View::attach(std::shared_ptr<scene::Scene> scene) {
     if (editor_.scene() != nullptr) {
         revision_ = editor_.scene()->revision();
         clock_.setPeriod(loopPeriod(periodsOf(editor_.scene()->state())));
-        bounds_ = loopBounds(editor_.scene()->state());
+        measure();
     }
     touch();
 }
@@ -107,9 +102,25 @@ void View::setInset(double inset) {
     touch();
 }
 
+drawing::Outlook View::outlook() const {
+    drawing::Outlook outlook = drawing::outlookOf(scene()->state(), {});
+    outlook.spatial = spatial_;
+    return outlook;
+}
+
+/// What there is to be seen, and whether it is a plane.
+void View::measure() {
+    const scene::State& state = scene()->state();
+    bounds_ = loopBounds(state);
+    const drawing::Outlook look = drawing::outlookOf(state, bounds_);
+    spatial_ = look.spatial;
+    depthChecked_ = true;
+    if (spatial_) bounds_ = loopBounds(state, orientationOf({look.azimuth, look.elevation}));
+}
+
 void View::fit() {
     if (scene() == nullptr) return;
-    bounds_ = loopBounds(scene()->state());
+    measure();
     atHome_ = true;
     if (layout_.curve && cameraPlaced_ && !reducedMotion_) {
         camera_.glide(homeAim(*layout_.curve));
@@ -117,6 +128,31 @@ void View::fit() {
         cameraPlaced_ = false;
     }
     touch();
+}
+
+bool View::lookFrom(const Viewpoint& from) {
+    if (scene() == nullptr || !spatial_ || !layout_.curve) return false;
+    const drawing::Bounds seen = loopBounds(scene()->state(), orientationOf(from));
+    const Aim aim = fitAim(seen, *layout_.curve, from);
+    if (reducedMotion_) {
+        camera_.jump(aim);
+    } else {
+        camera_.glide(aim);
+    }
+    atHome_ = false;
+    touch();
+    return true;
+}
+
+bool View::pinch(const Pixel& between, const Pixel& by, double factor) {
+    const Figure* now = figure();
+    const PaneFigure* pane = now != nullptr ? now->paneAt(between) : nullptr;
+    if (pane == nullptr || pane->plot.pane != Pane::curve) return false;
+    camera_.pan(by);
+    camera_.zoom(pane->plot.box, between, factor, false);
+    atHome_ = false;
+    touch();
+    return true;
 }
 
 void View::tick(double seconds) {
@@ -174,6 +210,7 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.box = box();
     request.object = emphasis_.selected ? emphasis_.selected->object : -1;
     request.curveAspect = aspectOf(bounds_);
+    request.spatial = spatial_;
     request.dark = dark_;
     request.orderWords = words_.order;
     request.emphasis = emphasis_;
@@ -183,17 +220,11 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
 }
 
 Aim View::homeAim(const Box& pane) const {
-    const Json* camera = cameraOf(scene()->state());
-    const Json* centre = camera != nullptr ? scene::member(*camera, "center") : nullptr;
-    Aim aim = fitAim(bounds_, pane);
-    if (camera != nullptr) {
-        const double height = scene::numberOr(*camera, "height", 0);
-        if (height > 0) aim = heightAim(aim.centre, height, pane);
-    }
-    if (centre != nullptr && centre->is_array() && centre->size() >= 2 &&
-        (*centre)[0].is_number() && (*centre)[1].is_number()) {
-        aim.centre = {(*centre)[0].get<double>(), (*centre)[1].get<double>(), 0};
-    }
+    const drawing::Outlook look = outlook();
+    const Viewpoint from = look.spatial ? Viewpoint{look.azimuth, look.elevation} : fromAbove;
+    Aim aim = fitAim(bounds_, pane, from);
+    if (look.height > 0) aim = heightAim(aim.centre, look.height, pane, from);
+    if (look.centre) aim.centre = *look.centre;
     return aim;
 }
 
@@ -201,7 +232,18 @@ void View::followScene() {
     if (scene()->revision() == revision_) return;
     revision_ = scene()->revision();
     clock_.setPeriod(loopPeriod(periodsOf(scene()->state())));
+    depthChecked_ = false;
     touch();
+}
+
+/// A plane scene that is given depth is seen in space from then on, and the other way round.
+void View::followDepth() {
+    if (depthChecked_ || hold_ != Hold::nothing || editor_.inGesture()) return;
+    depthChecked_ = true;
+    const scene::State& state = scene()->state();
+    drawing::Bounds bounds = drawing().bounds;
+    if (!state.effects.empty()) bounds.add(loopBounds(state));
+    if (drawing::outlookOf(state, bounds).spatial != spatial_) fit();
 }
 
 void View::placeCamera(bool layoutMoved) {
@@ -233,6 +275,7 @@ const Figure* View::figure() {
     // The first drawing needs some camera; that of the whole view is near enough to the one that
     // the layout of this very drawing will give.
     if (!cameraPlaced_) camera_.jump(homeAim(box()));
+    followDepth();
     // While something is dragged the panes stay, whatever the drag makes of the piles of knots.
     if (hold_ != Hold::dragging) {
         const ui::FigureLayout layout = layoutOf(request(drawing()));

@@ -9,6 +9,7 @@
 #include "app/editor.hpp"
 #include "app/figure.hpp"
 #include "app/picture.hpp"
+#include "drawing/outlook.hpp"
 
 #include <functional>
 #include <memory>
@@ -40,6 +41,12 @@ public:
     /// Width at the left that is covered by a panel and left free by the figure.
     void setInset(double inset);
     void fit();
+    /// Looks from there at all there is, in a scene in space.
+    bool lookFrom(const Viewpoint& from);
+    /// Whether what is seen can be turned.
+    [[nodiscard]] bool spatial() const noexcept { return spatial_; }
+    /// Two fingers: moves the picture along with them and scales it about the place between them.
+    bool pinch(const Pixel& between, const Pixel& by, double factor);
 
     [[nodiscard]] Clock& clock() noexcept { return clock_; }
     [[nodiscard]] const Clock& clock() const noexcept { return clock_; }
@@ -82,7 +89,7 @@ public:
     [[nodiscard]] std::uint64_t drawingsMade() const noexcept { return picture_.made(); }
 
 private:
-    enum class Hold { nothing, pressedTarget, dragging, pressedEmpty, panning };
+    enum class Hold { nothing, pressedTarget, dragging, pressedEmpty, panning, orbiting };
 
     [[nodiscard]] const scene::Scene* scene() const noexcept { return editor_.scene(); }
     [[nodiscard]] Box box() const noexcept;
@@ -90,7 +97,10 @@ private:
     [[nodiscard]] const drawing::Drawing& drawing();
     [[nodiscard]] FigureRequest request(const drawing::Drawing& drawing) const;
     [[nodiscard]] Aim homeAim(const Box& pane) const;
+    [[nodiscard]] drawing::Outlook outlook() const;
+    void measure();
     void followScene();
+    void followDepth();
     void placeCamera(bool layoutMoved);
     void followSelection(const drawing::Drawing& drawing);
     [[nodiscard]] Affine placementOf(int object) const;
@@ -117,6 +127,8 @@ private:
     bool escape();
     bool removeSelected();
     bool nudge(const Vec3& direction, int modifiers);
+    void nudgeInSpace(const Target& target, const Vec3& steps, double step);
+    bool turn(const Vec3& direction);
     bool selectNeighbour(int step);
     bool zoomKey(double factor);
 
@@ -137,7 +149,9 @@ private:
     Figure figure_;
     Emphasis emphasis_;
 
-    drawing::Bounds bounds_;         ///< that fit() shows
+    drawing::Bounds bounds_;         ///< that fit() shows, as seen from home
+    bool spatial_ = false;
+    bool depthChecked_ = true;       ///< spatial_ is that of the present revision
     ui::FigureLayout layout_;
     bool touched_ = true;            ///< a frame is due
     bool stale_ = true;              ///< figure_ is not that of the present state

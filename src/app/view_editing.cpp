@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
+#include <limits>
 
 namespace knotwork::app {
 
@@ -18,6 +19,8 @@ const Shape* editablePoints(const drawing::Drawing& drawing, const std::optional
     const Shape* first = nullptr;
     for (const Shape& shape : drawing.shapes) {
         if (!offers(shape) || kindOfList(shape.path) != TargetKind::point) continue;
+        // A net has whole rows, and a mesh's vertices belong to faces.
+        if (shape.path.back() == ']' || shape.path.ends_with("vertices")) continue;
         if (chosen && chosen->list == shape.path) return &shape;
         if (first == nullptr) first = &shape;
     }
@@ -43,6 +46,19 @@ std::size_t cheapestPlace(const Shape& polygon, const Vec3& p, bool closed) {
         if (detour >= least) continue;
         least = detour;
         best = k;
+    }
+    return best;
+}
+
+Vec3 nearestTo(const Shape& points, const Sight& sight, const Pixel& at) noexcept {
+    Vec3 best{0.0};
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < points.positions.size() / 3; ++k) {
+        const Pixel seen = sight.toPixels(positionOf(points, k));
+        const double away = std::hypot(seen.x - at.x, seen.y - at.y);
+        if (away >= least) continue;
+        least = away;
+        best = positionOf(points, k);
     }
     return best;
 }
@@ -87,16 +103,17 @@ bool View::addPointAt(const Pixel& at) {
     const Shape* points = editablePoints(drawing(), emphasis_.selected);
     if (pane == nullptr || points == nullptr) return false;
     const auto object = static_cast<std::size_t>(points->object);
-    const Vec3 world = pane->plot.map.fromPixels(at);
+    // As deep as the point that is seen nearest to it.
+    const Vec3 world = pane->sight.fromPixels(at, nearestTo(*points, pane->sight, at));
     const Curve* curve = scene()->state().objects[object]->body.curve();
     const bool closed = curve != nullptr && isClosed(*curve);
     const std::size_t place = cheapestPlace(*points, world, closed);
     const Affine placement = placementOf(points->object);
     const Vec3 own = glm::inverse(placement.linear) * (world - placement.offset);
-    const double pixel = 1 / pane->plot.map.scaleX;
+    const double pixel = pane->sight.unitsPerPixel();
     const Json* sample = valueAt(scene()->state(), indexed(points->path, 0));
     Json value = Json::array({roundedTo(own.x, pixel), roundedTo(own.y, pixel)});
-    if (sample != nullptr && sample->size() > 2) value.push_back(own.z);
+    if (sample != nullptr && sample->size() > 2) value.push_back(spatial_ ? roundedTo(own.z, pixel) : own.z);
     const std::string path = indexed(points->path, place);
     Json command = Json::object();
     command["insert"] = path;

@@ -1,7 +1,11 @@
 // A view's keys. What is not taken here is the page's: Tab above all.
 #include "app/view.hpp"
 
+#include <glm/matrix.hpp>
+
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace knotwork::app {
 
@@ -11,6 +15,7 @@ using scene::Json;
 
 constexpr double nudgePixels = 10;
 constexpr double zoomStep = 1.25;
+constexpr double turnPixels = 35;  // about 15 degrees
 
 std::optional<Vec3> arrow(std::string_view name) noexcept {
     if (name == "ArrowLeft") return Vec3{-1, 0, 0};
@@ -32,19 +37,12 @@ Json moveBy(const std::string& path, Json by) {
     return command;
 }
 
-Json poseBy(const scene::Object& object, std::size_t local, const Vec3& by) {
-    Json pose = Json::object();
-    pose["object"] = object.id;
-    pose["local"] = local;
-    const auto* blend = object.body.as<BlendingCurve>();
-    const Vec3 was = blend != nullptr && local < blend->locals().size()
-                         ? blend->locals()[local].pose().translate
-                         : Vec3{0.0};
-    const Vec3 to = was + by;
-    pose["translate"] = Json::array({to.x, to.y, to.z});
-    Json command = Json::object();
-    command["pose"] = std::move(pose);
-    return command;
+std::optional<Viewpoint> standardViewpoint(std::string_view name) noexcept {
+    if (name == "1") return fromFront;
+    if (name == "3") return fromSide;
+    if (name == "7") return fromAbove;
+    if (name == "5") return fromCorner;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -69,7 +67,10 @@ bool View::key(std::string_view name, bool down, int modifiers) {
     if (name == "Delete" || name == "Backspace") return removeSelected();
     if (name == "PageDown") return selectNeighbour(1);
     if (name == "PageUp") return selectNeighbour(-1);
-    if (const auto direction = arrow(name)) return nudge(*direction, modifiers);
+    if (const auto direction = arrow(name)) {
+        return emphasis_.selected ? nudge(*direction, modifiers) : turn(*direction);
+    }
+    if (const auto from = standardViewpoint(name)) return lookFrom(*from);
     if (name == "+" || name == "=") return zoomKey(zoomStep);
     if (name == "-") return zoomKey(1 / zoomStep);
     if (name == "0") {
@@ -107,21 +108,41 @@ bool View::nudge(const Vec3& direction, int modifiers) {
     const auto& target = emphasis_.selected;
     const PaneFigure* pane = now != nullptr && target ? now->find(target->pane) : nullptr;
     if (pane == nullptr || readOnly_ || hold_ != Hold::nothing) return false;
+    const double step = nudgeStep(1 / pane->sight.unitsPerPixel());
     const double times = (modifiers & shiftKey) != 0 ? 10 : 1;
-    const Vec3 by = direction * (times * nudgeStep(pane->plot.map.scaleX));
     if (!editor_.inGesture()) editor_.beginGesture(gesturePrefix());
     if (target->kind == TargetKind::knot) {
-        if (by.x != 0) editor_.run(moveBy(target->path(), by.x), "key");
-    } else if (target->kind == TargetKind::pose) {
-        const auto& objects = scene()->state().objects;
-        editor_.run(poseBy(*objects[static_cast<std::size_t>(target->object)], target->index, by),
-                    "key");
+        if (direction.x != 0) editor_.run(moveBy(target->path(), direction.x * times * step), "key");
     } else {
-        const Json* was = valueAt(scene()->state(), target->path());
-        Json step = Json::array({by.x, by.y});
-        if (was != nullptr && was->size() > 2) step.push_back(0.0);
-        editor_.run(moveBy(target->path(), std::move(step)), "key");
+        nudgeInSpace(*target, glm::transpose(pane->sight.orientation()) * direction * times, step);
     }
+    touch();
+    return true;
+}
+
+/// A point or a local by so many steps; directions on the screen need not be round in the world.
+void View::nudgeInSpace(const Target& target, const Vec3& steps, double step) {
+    const scene::Object& object =
+        *scene()->state().objects[static_cast<std::size_t>(target.object)];
+    const auto by = [&](double coordinate) { return roundedTo(coordinate * step, step / 1000); };
+    if (target.kind == TargetKind::pose) {
+        const auto local = posedLocal(object.body, target.index);
+        if (!local) return;
+        Pose pose = local->pose;
+        pose.translate += Vec3{by(steps.x), by(steps.y), by(steps.z)};
+        editor_.run(poseCommand(object.id, local->name, pose), "key");
+        return;
+    }
+    const Json* was = valueAt(scene()->state(), target.path());
+    Json move = Json::array({by(steps.x), by(steps.y)});
+    if (was != nullptr && was->size() > 2) move.push_back(by(steps.z));
+    editor_.run(moveBy(target.path(), std::move(move)), "key");
+}
+
+bool View::turn(const Vec3& direction) {
+    if (!spatial_ || hold_ != Hold::nothing) return false;
+    camera_.orbit({direction.x * turnPixels, -direction.y * turnPixels}, !reducedMotion_);
+    atHome_ = false;
     touch();
     return true;
 }
@@ -129,10 +150,11 @@ bool View::nudge(const Vec3& direction, int modifiers) {
 bool View::selectNeighbour(int step) {
     if (!emphasis_.selected || figure() == nullptr) return false;
     const Target& target = *emphasis_.selected;
-    const std::size_t count = listLength(drawing(), target.list);
-    if (count == 0) return false;
-    const std::size_t next = (target.index + count + static_cast<std::size_t>(step + 1) - 1) % count;
-    select(indexed(target.list, next));
+    const std::vector<std::string> all = siblingsOf(drawing(), target);
+    const auto found = std::find(all.begin(), all.end(), target.path());
+    if (found == all.end()) return false;
+    const auto place = static_cast<std::size_t>(found - all.begin());
+    select(all[(place + all.size() + static_cast<std::size_t>(step + 1) - 1) % all.size()]);
     return true;
 }
 

@@ -9,6 +9,7 @@ namespace knotwork::app {
 namespace {
 
 constexpr int mainButton = 1;
+constexpr int secondaryButton = 2;
 constexpr int middleButton = 4;
 constexpr double basisRadius = 7;
 
@@ -63,7 +64,8 @@ bool View::press(const PointerInput& input) {
     pressedAt_ = lastAt_ = input.at;
     const PaneFigure* pane = now->paneAt(input.at);
     const bool onCurve = pane != nullptr && pane->plot.pane == Pane::curve;
-    if ((input.buttons & middleButton) != 0 && onCurve) {
+    const int pans = spatial_ ? middleButton | secondaryButton : middleButton;
+    if ((input.buttons & pans) != 0 && onCurve) {
         hold_ = Hold::panning;
         return true;
     }
@@ -78,8 +80,9 @@ bool View::press(const PointerInput& input) {
         touch();
         return true;
     }
-    // A finger on empty space scrolls the page; only its taps are ours.
-    if (input.pointerType == "touch") return false;
+    // A finger on empty space scrolls the page; only its taps are ours, and what it does across a
+    // scene in space, where the page lets us have it.
+    if (input.pointerType == "touch" && !(spatial_ && onCurve)) return false;
     hold_ = Hold::pressedEmpty;
     return true;
 }
@@ -103,12 +106,17 @@ bool View::follow(const PointerInput& input) {
             const Figure* now = figure();
             const PaneFigure* pane = now != nullptr ? now->paneAt(pressedAt_) : nullptr;
             if (pane == nullptr || pane->plot.pane != Pane::curve) return true;
-            hold_ = Hold::panning;
-            camera_.pan({input.at.x - pressedAt_.x, input.at.y - pressedAt_.y});
+            const Pixel all{input.at.x - pressedAt_.x, input.at.y - pressedAt_.y};
+            const bool turns = spatial_ && (input.modifiers & shiftKey) == 0;
+            hold_ = turns ? Hold::orbiting : Hold::panning;
+            turns ? camera_.orbit(all, false) : camera_.pan(all);
             break;
         }
         case Hold::panning:
             camera_.pan(by);
+            break;
+        case Hold::orbiting:
+            camera_.orbit(by, false);
             break;
     }
     atHome_ = false;
@@ -126,7 +134,8 @@ bool View::release(const PointerInput& input) {
         emphasis_.selected.reset();
         touch();
     }
-    if (was != Hold::dragging && was != Hold::panning) noteClick(input);
+    const bool looked = was == Hold::panning || was == Hold::orbiting;
+    if (was != Hold::dragging && !looked) noteClick(input);
     letGo();
     if (input.pointerType != "touch") hover(input);
     return was != Hold::nothing;
@@ -138,7 +147,7 @@ bool View::beginDrag() {
     const PaneFigure* pane = now->find(held_->pane);
     if (pane == nullptr) return false;
     drag_ = Drag::begin(scene()->state(), *held_, placementOf(held_->object), pressedAt_,
-                        pane->plot.map);
+                        pane->sight, spatial_);
     if (!drag_) return false;
     if (held_->kind == TargetKind::knot) frozenRange_ = now->axis.range;
     if (editor_.inGesture()) editor_.endGesture("key");
@@ -152,7 +161,7 @@ void View::dragTo(const PointerInput& input) {
     const Figure* now = figure();
     const PaneFigure* pane = now != nullptr ? now->find(drag_->target().pane) : nullptr;
     if (pane == nullptr) return;
-    for (scene::Json& command : drag_->commands(input.at, pane->plot.map, input.modifiers)) {
+    for (scene::Json& command : drag_->commands(input.at, pane->sight, input.modifiers)) {
         editor_.run(std::move(command), "pointer");
     }
     touch();
@@ -223,7 +232,7 @@ bool View::hits(const Pixel& at, std::string_view pointerType) {
 }
 
 std::string View::cursor() const {
-    if (hold_ == Hold::panning) return "grabbing";
+    if (hold_ == Hold::panning || hold_ == Hold::orbiting) return "grabbing";
     const bool knot = (held_ && held_->kind == TargetKind::knot) ||
                       (emphasis_.hovered && emphasis_.hovered->kind == TargetKind::knot);
     if (knot) return "ew-resize";

@@ -1,11 +1,11 @@
 #include "drawing/svg.hpp"
 
 #include "drawing/extent.hpp"
+#include "drawing/outlook.hpp"
 #include "drawing/screen.hpp"
 #include "drawing/svg_plots.hpp"
 #include "drawing/svg_shapes.hpp"
 #include "drawing/svg_theme.hpp"
-#include "scene/json_values.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,35 +34,18 @@ std::string_view themeName(SvgTheme theme) noexcept {
     return names[static_cast<std::size_t>(theme)];
 }
 
-const scene::Json* cameraOf(const scene::State& state) noexcept {
-    const scene::Json* view = scene::member(*state.header, "view");
-    return view != nullptr ? scene::member(*view, "camera") : nullptr;
-}
-
-Orientation orientationOf(const scene::State& state) {
-    const scene::Json* view = scene::member(*state.header, "view");
-    if (view == nullptr || scene::stringOr(*view, "mode", "") != "3d") return planeOrientation();
-    const scene::Json* camera = cameraOf(state);
-    if (camera == nullptr) return orientationFrom(usualAzimuth, usualElevation);
-    return orientationFrom(scene::numberOr(*camera, "azimuth", usualAzimuth),
-                           scene::numberOr(*camera, "elevation", usualElevation));
-}
-
-/// How much of the world the document's camera shows from top to bottom, or 0.
-double cameraHeight(const scene::State& state) noexcept {
-    const scene::Json* camera = cameraOf(state);
-    return camera != nullptr ? scene::numberOr(*camera, "height", 0) : 0;
+Orientation orientationOf(const Outlook& outlook) noexcept {
+    return outlook.spatial ? orientationFrom(outlook.azimuth, outlook.elevation)
+                           : planeOrientation();
 }
 
 /// The document's camera where it says how much it shows, otherwise nothing.
-std::optional<Aim> cameraAim(const scene::State& state, const Orientation& orientation,
+std::optional<Aim> cameraAim(const Outlook& outlook, const Orientation& orientation,
                              const Bounds& bounds, const Frame& frame) {
-    const double height = cameraHeight(state);
-    if (!(height > 0)) return std::nullopt;
-    const scene::Json* centre = scene::member(*cameraOf(state), "center");
-    const Vec3 middle = centre != nullptr ? orientation * scene::vec3Of(*centre)
-                                          : (bounds.min + bounds.max) * 0.5;
-    return Aim{middle.x, middle.y, frame.height / height};
+    if (!(outlook.height > 0)) return std::nullopt;
+    const Vec3 middle = outlook.centre ? orientation * *outlook.centre
+                                       : (bounds.min + bounds.max) * 0.5;
+    return Aim{middle.x, middle.y, frame.height / outlook.height};
 }
 
 Bounds seenBounds(const Drawing& drawing, const Orientation& orientation) {
@@ -80,7 +63,7 @@ Bounds seenBounds(const Drawing& drawing, const Orientation& orientation) {
 
 /// Units of the world that a pixel takes, or a little less.
 double pixelSize(const scene::State& state, const SvgOptions& options) {
-    const double height = cameraHeight(state);
+    const double height = outlookOf(state, {}).height;
     if (height > 0) return height / options.height;
     return roughSize(state, options.moment) / std::max(options.width, options.height);
 }
@@ -132,11 +115,12 @@ std::string svg(const scene::State& state, const SvgOptions& options) {
     const Drawing drawing = draw(state, {.moment = options.moment,
                                          .tolerance = toleranceOf(state) * pixelSize(state, options),
                                          .dark = svgColours(options.theme).dark});
-    const Orientation orientation = orientationOf(state);
+    const Outlook outlook = outlookOf(state, drawing.bounds);
+    const Orientation orientation = orientationOf(outlook);
     const Bounds bounds = seenBounds(drawing, orientation);
     const SvgLayout layout = svgLayout({0, 0, options.width, options.height}, drawing, options.panes);
     const Frame& frame = layout.curve;
-    const Aim aim = cameraAim(state, orientation, bounds, frame).value_or(aimAt(bounds, frame));
+    const Aim aim = cameraAim(outlook, orientation, bounds, frame).value_or(aimAt(bounds, frame));
     const PanePicture picture{Pane::curve, screenOf(orientation, aim, frame), options.theme, -1, -1, frame};
 
     XmlWriter xml(decimalsFor(options));

@@ -79,12 +79,16 @@ void nameTicksY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours
 int ticksAcross(double width) noexcept { return std::clamp(static_cast<int>(width / 56), 1, 12); }
 int ticksUp(double height) noexcept { return std::clamp(static_cast<int>(height / 30), 1, 8); }
 
+double planeGridStep(double pixelsPerUnit) noexcept {
+    return niceStep(cellPixels / pixelsPerUnit, 1);
+}
+
 void addPlaneGrid(Plot& plot, const Theme& colours) {
     const Interval x{plot.map.unitX(plot.area.x), plot.map.unitX(plot.area.right())};
     const Interval y{plot.map.unitY(plot.area.bottom()), plot.map.unitY(plot.area.y)};
     if (!(x.length() > 0) || !(y.length() > 0)) return;
     // One step for both directions keeps the cells square.
-    const double step = niceStep(cellPixels / plot.map.scaleX, 1);
+    const double step = planeGridStep(plot.map.scaleX);
     Lines axis{{}, colours.axis};
     axis.colour.alpha *= 0.6;
     Lines grid{{}, colours.grid};

@@ -89,6 +89,8 @@ void nameTicksY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours
 [[nodiscard]] int ticksAcross(double width) noexcept;
 [[nodiscard]] int ticksUp(double height) noexcept;
 
+/// The width of a cell of the grid of a plane that is seen at so many CSS pixels a unit.
+[[nodiscard]] double planeGridStep(double pixelsPerUnit) noexcept;
 /// The plane of a curve: a square grid whose step follows the zoom, the axes a little stronger.
 void addPlaneGrid(Plot& plot, const Theme& colours);
 

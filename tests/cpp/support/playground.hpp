@@ -58,7 +58,7 @@ struct Playground {
         view.select(path);
         EXPECT_TRUE(view.selected()) << path;
         const PaneFigure* pane = figure->find(view.selected()->pane);
-        return pane->plot.map.toPixels(view.selected()->at);
+        return pane->sight.toPixels(view.selected()->at);
     }
     const Json& at(const char* path) {
         const Json* value = valueAt(scene->state(), path);
@@ -66,7 +66,7 @@ struct Playground {
         static const Json none;
         return value != nullptr ? *value : none;
     }
-    double unitsPerPixel() { return 1 / view.figure()->find(Pane::curve)->plot.map.scaleX; }
+    double unitsPerPixel() { return view.figure()->find(Pane::curve)->sight.unitsPerPixel(); }
 
     std::shared_ptr<scene::Scene> scene;
     View view{1};
