@@ -1,5 +1,6 @@
 #include "app/drag.hpp"
 
+#include "geometry/turns.hpp"
 #include "ui/plot.hpp"
 
 #include <glm/geometric.hpp>
@@ -18,6 +19,11 @@ using scene::Json;
 constexpr double snapPixels = 6;             // to another knot
 constexpr double radiansPerPixel = 0.01;     // a turn is a drag of 630 pixels
 constexpr double pixelsPerDoubling = 100;
+constexpr double pi = 3.141592653589793;
+constexpr double snapAngle = pi / 12;
+constexpr double finestAngle = 0.01;         // radians: a pixel on the ring
+constexpr double finestFactor = 0.01;
+constexpr double leastFactor = 0.05;         // a box is not pulled through its handle
 
 std::vector<double> numbersOf(const Json& list) {
     std::vector<double> numbers;
@@ -60,6 +66,27 @@ Vec3 pointOf(const std::vector<double>& numbers) noexcept {
         p[static_cast<glm::length_t>(k)] = numbers[k];
     }
     return p;
+}
+
+/// The multiple of a step, as the decimal number that it is meant to be.
+double multipleOf(double step, double value) noexcept {
+    return roundedTo(std::round(value / step) * step, step / 10);
+}
+
+/// As round as a pixel allows, or on the grid.
+Vec3 rounded(Vec3 to, const Vec3& start, const Sight& sight, int modifiers) noexcept {
+    const double pixel = sight.unitsPerPixel();
+    for (glm::length_t k = 0; k < 3; ++k) {
+        // What stays where it is keeps all its digits.
+        if (std::abs(to[k] - start[k]) < 1e-6 * pixel) {
+            to[k] = start[k];
+        } else if ((modifiers & commandKey) != 0) {
+            to[k] = multipleOf(ui::planeGridStep(1 / pixel), to[k]);
+        } else {
+            to[k] = roundedTo(to[k], pixel);
+        }
+    }
+    return to;
 }
 
 }  // namespace
@@ -111,6 +138,7 @@ std::optional<Drag> Drag::begin(const scene::State& state, const Target& target,
 }
 
 std::vector<Json> Drag::commands(const Pixel& pointer, const Sight& sight, int modifiers) {
+    if (part_) return {poseByTool(pointer, sight, modifiers)};
     const Pixel held{pointer.x - grabbed_.x, pointer.y - grabbed_.y};
     switch (target_.kind) {
         case TargetKind::point: return {movePoint(held, sight, modifiers)};
@@ -158,19 +186,7 @@ Vec3 Drag::moved(const Vec3& start, const Pixel& held, const Sight& sight, int m
     const Pixel by{held.x - at.x, held.y - at.y};
     Vec3 to = start + ((modifiers & shiftKey) != 0 ? alongAxis(by, sight, inPlane)
                                                    : acrossScreen(by, sight, inPlane));
-    const double pixel = sight.unitsPerPixel();
-    const double step = ui::planeGridStep(1 / pixel);
-    for (glm::length_t k = 0; k < 3; ++k) {
-        // What stays where it is keeps all its digits.
-        if (std::abs(to[k] - start[k]) < 1e-6 * pixel) {
-            to[k] = start[k];
-        } else if ((modifiers & commandKey) != 0) {
-            to[k] = roundedTo(std::round(to[k] / step) * step, step / 10);
-        } else {
-            to[k] = roundedTo(to[k], pixel);
-        }
-    }
-    return to;
+    return rounded(to, start, sight, modifiers);
 }
 
 Json Drag::movePoint(const Pixel& held, const Sight& sight, int modifiers) const {
@@ -217,6 +233,70 @@ Json Drag::poseLocal(const Pixel& held, const Sight& sight, int modifiers) const
         pose.translate = moved(pose.translate, held, sight, modifiers, false);
     }
     return poseCommand(objectId_, local_.name, pose);
+}
+
+void Drag::hold(const Gizmo& gizmo, const GizmoPart& part, const Pixel& pressed,
+                const Sight& sight) {
+    part_ = part;
+    gizmo_ = gizmo;
+    pressed_ = pressed;
+    lastAngle_ = angleOnRing(gizmo, sight, part.axis, pressed);
+}
+
+Json Drag::poseByTool(const Pixel& pointer, const Sight& sight, int modifiers) {
+    Pose pose = local_.pose;
+    switch (part_->kind) {
+        case GizmoKind::move: moveAlong(pose, pointer, sight, modifiers); break;
+        case GizmoKind::turn: turnAbout(pose, pointer, sight, modifiers); break;
+        case GizmoKind::scale: scaleAlong(pose, pointer, sight, modifiers); break;
+    }
+    return poseCommand(objectId_, local_.name, pose);
+}
+
+void Drag::moveAlong(Pose& pose, const Pixel& pointer, const Sight& sight, int modifiers) const {
+    const Pixel by{pointer.x - pressed_.x, pointer.y - pressed_.y};
+    const Pixel axis = sight.pixelVector(placement_.linear[part_->axis]);
+    Vec3 to = pose.translate;
+    to[part_->axis] += dot(by, axis) / dot(axis, axis);
+    pose.translate = rounded(to, pose.translate, sight, modifiers);
+}
+
+void Drag::turnAbout(Pose& pose, const Pixel& pointer, const Sight& sight, int modifiers) {
+    const double angle = angleOnRing(gizmo_, sight, part_->axis, pointer);
+    turned_ += std::remainder(angle - lastAngle_, 2 * pi);
+    lastAngle_ = angle;
+    const bool snaps = (modifiers & commandKey) != 0;
+    const double by = snaps ? std::round(turned_ / snapAngle) * snapAngle
+                            : roundedTo(turned_, finestAngle);
+    if (by == 0) return;
+    Vec3 axis{0.0};
+    axis[part_->axis] = 1;
+    const Vec3 before = glm::normalize(pose.axis);
+    if (pose.angle == 0 || before == axis) {
+        pose.axis = axis;
+        pose.angle += by;
+        return;
+    }
+    const Turn both = compose({axis, by}, {pose.axis, pose.angle});
+    pose.axis = both.axis;
+    pose.angle = both.angle;
+}
+
+void Drag::scaleAlong(Pose& pose, const Pixel& pointer, const Sight& sight, int modifiers) const {
+    const Pixel at = sight.toPixels(gizmo_.at);
+    const Pixel axis = sight.pixelVector(gizmo_.own[static_cast<std::size_t>(part_->axis)]);
+    const double before = dot({pressed_.x - at.x, pressed_.y - at.y}, axis);
+    const double now = dot({pointer.x - at.x, pointer.y - at.y}, axis);
+    const double factor = before != 0 ? std::max(now / before, leastFactor) : 1;
+    const auto scaled = [&](double was) {
+        const double to = was * factor;
+        return (modifiers & commandKey) != 0 ? std::max(multipleOf(0.1, to), 0.1)
+                                             : roundedTo(to, finestFactor);
+    };
+    for (glm::length_t k = 0; k < 3; ++k) {
+        if (factor == 1 || (k != part_->axis && (modifiers & shiftKey) == 0)) continue;
+        pose.scale[k] = scaled(pose.scale[k]);
+    }
 }
 
 }  // namespace knotwork::app

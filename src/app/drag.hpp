@@ -4,6 +4,7 @@
 // the pointer is now; so no drift accumulates and the last command alone says where things ended.
 #pragma once
 
+#include "app/gizmo.hpp"
 #include "app/sight.hpp"
 #include "app/target.hpp"
 
@@ -35,7 +36,14 @@ public:
     [[nodiscard]] std::vector<scene::Json> commands(const Pixel& pointer, const Sight& sight,
                                                     int modifiers);
 
+    /// The same by a part of the tool at a handle, at which `begin` has found the target: an arrow
+    /// moves along its axis, a ring turns about it, a box scales along an axis of the local (Shift:
+    /// along all). Ctrl makes moves multiples of the grid's step, turns of 15 degrees, factors of a
+    /// tenth.
+    void hold(const Gizmo& gizmo, const GizmoPart& part, const Pixel& pressed, const Sight& sight);
+
     [[nodiscard]] const Target& target() const noexcept { return target_; }
+    [[nodiscard]] const std::optional<GizmoPart>& part() const noexcept { return part_; }
 
 private:
     Drag() = default;
@@ -51,6 +59,11 @@ private:
     [[nodiscard]] std::vector<scene::Json> moveKnot(const Pixel& held, const Sight& sight);
     [[nodiscard]] scene::Json poseLocal(const Pixel& held, const Sight& sight, int modifiers) const;
 
+    [[nodiscard]] scene::Json poseByTool(const Pixel& pointer, const Sight& sight, int modifiers);
+    void moveAlong(Pose& pose, const Pixel& pointer, const Sight& sight, int modifiers) const;
+    void turnAbout(Pose& pose, const Pixel& pointer, const Sight& sight, int modifiers);
+    void scaleAlong(Pose& pose, const Pixel& pointer, const Sight& sight, int modifiers) const;
+
     Target target_;
     Pixel grabbed_;             ///< from the target to the pointer when it was pressed
     Affine placement_;          ///< of the object in the world
@@ -61,6 +74,11 @@ private:
     std::vector<double> knots_; ///< all of the list, of a knot
     PosedLocal local_;          ///< of a handle
     std::optional<std::size_t> movedKnot_;  ///< which of a pile was moved last
+    std::optional<GizmoPart> part_;
+    Gizmo gizmo_;               ///< where it stood when it was pressed
+    Pixel pressed_;
+    double lastAngle_ = 0;      ///< on the ring
+    double turned_ = 0;         ///< since it was pressed, also more than once round
 };
 
 }  // namespace knotwork::app

@@ -8,12 +8,16 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace knotwork::app {
 
 namespace {
 
 using drawing::Kind;
+
+constexpr double nameAside = 12;  // CSS pixels from an arrow to its letter
 
 std::vector<const Shape*> shapesOf(const drawing::Drawing& drawing, Pane pane, int object) {
     std::vector<const Shape*> found;
@@ -101,6 +105,23 @@ double reachOf(const drawing::Bounds& bounds, const Vec3& middle) noexcept {
     return bounds.empty ? 1 : std::max(glm::length(glm::max(low, high)), 1e-9);
 }
 
+/// The tool at the selected handle, its arrows named.
+void addGizmo(PaneFigure& pane, const Gizmo& gizmo, const FigureRequest& request) {
+    pane.tools = gizmoShapes(gizmo, pane.sight, request.emphasis.part, request.dark);
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    const Pixel at = pane.sight.toPixels(gizmo.at);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto tip = arrowTip(gizmo, pane.sight, axis);
+        if (!tip) continue;
+        const double length = std::hypot(tip->x - at.x, tip->y - at.y);
+        const Pixel aside{-(tip->y - at.y) / length, (tip->x - at.x) / length};
+        pane.plot.labels.push_back({std::string(names[static_cast<std::size_t>(axis)]),
+                                    {tip->x + nameAside * aside.x, tip->y + nameAside * aside.y},
+                                    ui::Align::centre, ui::Baseline::middle, 12, true,
+                                    axisColour(axis, request.dark)});
+    }
+}
+
 void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
                   const Camera& camera, const ui::Theme& colours) {
     PaneFigure pane;
@@ -128,6 +149,7 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
                                         shape.colour});
         }
     }
+    if (request.gizmo) addGizmo(pane, *request.gizmo, request);
     figure.panes.push_back(std::move(pane));
 }
 

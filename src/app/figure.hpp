@@ -5,6 +5,7 @@
 #pragma once
 
 #include "app/camera.hpp"
+#include "app/gizmo.hpp"
 #include "app/target.hpp"
 #include "ui/knot_line.hpp"
 #include "ui/layout.hpp"
@@ -29,6 +30,8 @@ struct Emphasis {
     Pane parameterPane = Pane::basis;
     /// While an animation plays and nobody points at it, handles are left out of the picture.
     bool quiet = false;
+    /// Of the tool at the selected handle: what is pointed at or held.
+    std::optional<GizmoPart> part;
 };
 
 struct Mark {
@@ -54,6 +57,7 @@ struct PaneFigure {
     std::vector<Painted> shapes;
     std::vector<Shape> below;  ///< halos, painted before the shapes
     std::vector<Shape> above;  ///< the point at the parameter, painted after them
+    std::vector<Shape> tools;  ///< the gizmo, painted over everything
 };
 
 struct Figure {
@@ -83,6 +87,7 @@ struct FigureRequest {
     Emphasis emphasis;
     /// During the drag of a knot the axis must stay, or the knot would run away from the pointer.
     std::optional<Interval> frozenRange;
+    std::optional<Gizmo> gizmo;  ///< at the selected handle
 };
 
 /// The panes that the document asks for, and the one of the curve, which stands where there is no

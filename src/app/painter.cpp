@@ -91,6 +91,7 @@ void paintPane(Renderer& renderer, const PaneFigure& pane, const Canvas& canvas,
     for (const Shape& shape : pane.above) {
         paintShape(renderer, {&shape, 1, 0, {}}, theme, highlights);
     }
+    for (const Shape& shape : pane.tools) paintShape(renderer, {&shape, 1, 0, {}}, theme, highlights);
     renderer.endPane();
 }
 

@@ -216,6 +216,8 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.emphasis = emphasis_;
     request.emphasis.quiet = clock_.running() && !pointedAt_ && !emphasis_.selected;
     request.frozenRange = frozenRange_;
+    request.gizmo = gizmo();
+    if (heldPart_) request.emphasis.part = heldPart_;
     return request;
 }
 
@@ -288,6 +290,13 @@ const Figure* View::figure() {
     figure_ = composeFigure(request(now), layout_, camera_);
     stale_ = false;
     return &figure_;
+}
+
+std::optional<Gizmo> View::gizmo() const {
+    const auto& target = emphasis_.selected;
+    if (readOnly_ || !target || target->kind != TargetKind::pose) return std::nullopt;
+    return gizmoOf(scene()->state(), *target, placementOf(target->object), !spatial_,
+                   layout_.curve.value_or(box()));
 }
 
 void View::select(std::string_view path) {

@@ -113,6 +113,9 @@ private:
     bool release(const PointerInput& input);
     void dragTo(const PointerInput& input);
     bool beginDrag();
+    [[nodiscard]] std::optional<Gizmo> gizmo() const;
+    [[nodiscard]] std::optional<GizmoPart> partUnder(const Pixel& at, double radius,
+                                                     const std::optional<Target>& target) const;
     void letGo();
     void hover(const PointerInput& input);
     void point(const Emphasis& at);
@@ -163,6 +166,7 @@ private:
     bool pointedAt_ = false;  ///< the pointer is over the view
     Hold hold_ = Hold::nothing;
     std::optional<Target> held_;
+    std::optional<GizmoPart> heldPart_;  ///< of the tool at what is held
     std::optional<Drag> drag_;
     std::optional<Interval> frozenRange_;
     Pixel pressedAt_;

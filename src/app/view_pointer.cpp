@@ -12,6 +12,7 @@ constexpr int mainButton = 1;
 constexpr int secondaryButton = 2;
 constexpr int middleButton = 4;
 constexpr double basisRadius = 7;
+constexpr double middleShare = 0.75;  // of the radius within which a point is hit
 
 /// How far a pressed pointer may wander before the press is a drag.
 double slack(std::string_view pointerType) noexcept { return pointerType == "touch" ? 8 : 3; }
@@ -25,7 +26,7 @@ bool sameTarget(const std::optional<Target>& a, const std::optional<Target>& b) 
 bool sameHover(const Emphasis& a, const Emphasis& b) noexcept {
     return sameTarget(a.hovered, b.hovered) && a.basisObject == b.basisObject &&
            a.basisIndex == b.basisIndex && a.parameter == b.parameter &&
-           a.parameterPane == b.parameterPane;
+           a.parameterPane == b.parameterPane && a.part == b.part;
 }
 
 double wheelFactor(double dy) noexcept {
@@ -71,6 +72,15 @@ bool View::press(const PointerInput& input) {
     }
     if ((input.buttons & mainButton) == 0) return false;
     const auto target = targetAt(*now, input.at, hitRadius(input.pointerType));
+    const auto part = partUnder(input.at, hitRadius(input.pointerType), target);
+    if (part) {
+        held_ = emphasis_.selected;
+        heldPart_ = part;
+        hold_ = Hold::pressedTarget;
+        clock_.hold(true);
+        touch();
+        return true;
+    }
     if (doubleClick(input, target)) return true;
     if (target) {
         held_ = target;
@@ -107,6 +117,8 @@ bool View::follow(const PointerInput& input) {
             const PaneFigure* pane = now != nullptr ? now->paneAt(pressedAt_) : nullptr;
             if (pane == nullptr || pane->plot.pane != Pane::curve) return true;
             const Pixel all{input.at.x - pressedAt_.x, input.at.y - pressedAt_.y};
+            // A finger that goes down scrolls the page; the browser says so only a little later.
+            if (input.pointerType == "touch" && std::abs(all.y) >= std::abs(all.x)) return true;
             const bool turns = spatial_ && (input.modifiers & shiftKey) == 0;
             hold_ = turns ? Hold::orbiting : Hold::panning;
             turns ? camera_.orbit(all, false) : camera_.pan(all);
@@ -141,6 +153,18 @@ bool View::release(const PointerInput& input) {
     return was != Hold::nothing;
 }
 
+/// A part of the tool, which covers other targets unless they are hit in their middle.
+std::optional<GizmoPart> View::partUnder(const Pixel& at, double radius,
+                                         const std::optional<Target>& target) const {
+    const PaneFigure* pane = figure_.paneAt(at);
+    const auto tool = gizmo();
+    if (!tool || pane == nullptr || pane->plot.pane != Pane::curve) return std::nullopt;
+    if (target && distance(at, pane->sight.toPixels(target->at)) <= middleShare * radius) {
+        return std::nullopt;
+    }
+    return partAt(*tool, pane->sight, at, radius);
+}
+
 bool View::beginDrag() {
     const Figure* now = figure();
     if (now == nullptr || !held_) return false;
@@ -149,6 +173,9 @@ bool View::beginDrag() {
     drag_ = Drag::begin(scene()->state(), *held_, placementOf(held_->object), pressedAt_,
                         pane->sight, spatial_);
     if (!drag_) return false;
+    if (const auto tool = gizmo(); heldPart_ && tool) {
+        drag_->hold(*tool, *heldPart_, pressedAt_, pane->sight);
+    }
     if (held_->kind == TargetKind::knot) frozenRange_ = now->axis.range;
     if (editor_.inGesture()) editor_.endGesture("key");
     editor_.beginGesture(gesturePrefix());
@@ -173,6 +200,7 @@ void View::letGo() {
     clock_.hold(false);
     hold_ = Hold::nothing;
     held_.reset();
+    heldPart_.reset();
     drag_.reset();
     frozenRange_.reset();
 }
@@ -196,7 +224,10 @@ void View::hover(const PointerInput& input) {
     const PaneFigure* pane = now != nullptr ? now->paneAt(input.at) : nullptr;
     Emphasis at;
     if (pane != nullptr) {
-        at.hovered = targetAt(*now, input.at, hitRadius(input.pointerType));
+        const double radius = hitRadius(input.pointerType);
+        at.hovered = targetAt(*now, input.at, radius);
+        at.part = partUnder(input.at, radius, at.hovered);
+        if (at.part) at.hovered.reset();
         at.parameter = at.hovered ? std::nullopt : parameterAt(*pane, input.at);
         if (at.parameter) at.parameterPane = pane->plot.pane;
         if (const auto basis = basisAt(*now, input.at, basisRadius); basis && !at.hovered) {
@@ -228,7 +259,9 @@ bool View::wheel(const Pixel& at, double dy, int modifiers) {
 
 bool View::hits(const Pixel& at, std::string_view pointerType) {
     const Figure* now = figure();
-    return now != nullptr && targetAt(*now, at, hitRadius(pointerType)).has_value();
+    if (now == nullptr) return false;
+    const auto target = targetAt(*now, at, hitRadius(pointerType));
+    return target || partUnder(at, hitRadius(pointerType), target);
 }
 
 std::string View::cursor() const {
@@ -237,6 +270,7 @@ std::string View::cursor() const {
                       (emphasis_.hovered && emphasis_.hovered->kind == TargetKind::knot);
     if (knot) return "ew-resize";
     if (hold_ == Hold::dragging || hold_ == Hold::pressedTarget) return "grabbing";
+    if (emphasis_.part) return "grab";
     if (emphasis_.hovered) return readOnly_ ? "pointer" : "grab";
     return emphasis_.parameter ? "crosshair" : "default";
 }

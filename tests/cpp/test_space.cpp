@@ -233,6 +233,11 @@ TEST(Orbit, AFingerAcrossTurnsAndTwoFingersMoveAndZoom) {
     play.event("move", {nowhere.x + 60, nowhere.y}, 1, 0, "touch");
     EXPECT_NE(play.view.camera().aim().from, was);
     play.event("cancel", {nowhere.x + 60, nowhere.y}, 0, 0, "touch");
+    const Aim turned = play.view.camera().aim();
+    play.event("down", nowhere, 1, 0, "touch");
+    play.event("move", {nowhere.x + 5, nowhere.y + 60}, 1, 0, "touch");
+    EXPECT_EQ(play.view.camera().aim(), turned);
+    play.event("cancel", {nowhere.x + 5, nowhere.y + 60}, 0, 0, "touch");
     const Pixel between{300, 200};
     const Vec3 there = sightIn(play).fromPixels(between, play.view.camera().aim().centre);
     const double scale = play.view.camera().aim().scale;
