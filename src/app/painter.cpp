@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace knotwork::app {
 
@@ -33,19 +34,14 @@ Projection projectionOf(const PlaneMap& map, const Rect& rect, const Canvas& can
                             1 / (map.scaleY * canvas.pixelRatio));
 }
 
-/// The same of a pane in space: what lies within its reach is between near and far.
+/// The same of a pane in space. Its reach is doubled, so that nothing that people drag out of it is
+/// cut off at once.
 Projection projectionOf(const PaneFigure& pane, const Rect& rect, const Canvas& canvas) noexcept {
     const Pixel middle{(rect.x + rect.width / 2.0) / canvas.pixelRatio,
                        (canvas.height - rect.y - rect.height / 2.0) / canvas.pixelRatio};
-    const double pixel = pane.sight.unitsPerPixel() / canvas.pixelRatio;
-    const Vec3 scale{2 / (pixel * std::max(rect.width, 1)), 2 / (pixel * std::max(rect.height, 1)),
-                     -1 / pane.reach};
-    glm::dmat4 clip(1.0);
-    for (glm::length_t column = 0; column < 3; ++column) {
-        const Vec3 seen = scale * pane.sight.orientation()[column];
-        clip[column] = glm::dvec4(seen, 0.0);
-    }
-    return Projection::general(rect, pane.sight.fromPixels(middle, pane.middle), clip);
+    return Projection::parallel(rect, pane.sight.fromPixels(middle, pane.middle),
+                                pane.sight.orientation(),
+                                pane.sight.unitsPerPixel() / canvas.pixelRatio, 2 * pane.reach);
 }
 
 void paintLines(Renderer& renderer, const std::vector<ui::Lines>& all) {
@@ -60,7 +56,8 @@ void paintLines(Renderer& renderer, const std::vector<ui::Lines>& all) {
 }
 
 void paintShape(Renderer& renderer, const Painted& painted, const ui::Theme& theme,
-                std::vector<render::Highlight>& highlights) {
+                std::vector<render::Highlight>& highlights,
+                std::optional<render::Behind> behind = std::nullopt) {
     highlights.clear();
     for (const Mark& mark : painted.marks) highlights.push_back({mark.index, mark.strength});
     render::PaintOptions options;
@@ -69,6 +66,7 @@ void paintShape(Renderer& renderer, const Painted& painted, const ui::Theme& the
     options.borderColour = theme.pointBorder;
     options.haloColour = theme.halo;
     options.highlights = highlights;
+    options.behind = behind;
     renderer.paint(*painted.shape, options);
 }
 
@@ -88,10 +86,11 @@ void paintPane(Renderer& renderer, const PaneFigure& pane, const Canvas& canvas,
     }
     for (const Painted& painted : pane.shapes) paintShape(renderer, painted, theme, highlights);
     paintLines(renderer, pane.plot.over);
-    for (const Shape& shape : pane.above) {
-        paintShape(renderer, {&shape, 1, 0, {}}, theme, highlights);
+    for (const auto* shapes : {&pane.above, &pane.tools}) {
+        for (const Shape& shape : *shapes) {
+            paintShape(renderer, {&shape, 1, 0, {}}, theme, highlights, render::Behind::shows);
+        }
     }
-    for (const Shape& shape : pane.tools) paintShape(renderer, {&shape, 1, 0, {}}, theme, highlights);
     renderer.endPane();
 }
 
