@@ -144,6 +144,25 @@ TEST(BlendingTriangleTheorem, InEachCornerThePatchAloneCountsUpToTheOrder) {
     }
 }
 
+TEST(BlendingTriangleTheorem, ItIsTheSumOfItsPatchesByItsWeights) {
+    for (const auto& [name, blend] : test::triangleBlends()) {
+        const BlendingTriangle triangle = triangleOf(test::threePatches(), blend);
+        for (const double u : {0.0, 0.3, 0.9, 1.0}) {
+            for (const double v : {0.0, 0.2, 0.7, 1.0}) {
+                const Barycentric weights = triangle.weights(u, v);
+                Vec3 sum(0);
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Surface& patch = triangle.local(k);
+                    sum += weights[k] * pointAt(patch, test::onPatch(patch, u * (1 - v), u * v));
+                }
+                expectNear(pointAt(Surface(triangle), placeAt(u, v)), sum, 10 * gates::trianglePoint,
+                           name);
+                EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, gates::weightSum) << name;
+            }
+        }
+    }
+}
+
 TEST(BlendingTriangleTheorem, CornersAreThoseOfPatchesWhoseEndsAreRounded) {
     const double start = -1.1;
     const double end = 0.3;
