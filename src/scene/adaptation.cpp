@@ -2,6 +2,8 @@
 
 #include "scene/adaptation_parts.hpp"
 #include "scene/json_values.hpp"
+#include "scene/object_builders.hpp"
+#include "scene/object_trace.hpp"
 #include "scene/specs.hpp"
 
 #include <algorithm>
@@ -42,13 +44,28 @@ Json adaptTriangle(const Json& before, Json after) {
     return after;
 }
 
+/// The object with the trace of a former one, where that algorithm works on its type too.
+Json withTraceOf(const Json& before, Json object) {
+    const Json* trace = member(before, "trace");
+    if (trace == nullptr) return object;
+    Json traced = object;
+    traced["trace"] = *trace;
+    traced = keepParameters(before, std::move(traced));
+    const auto made = makeObject(object);
+    const auto parameter = made ? parameterOf(traced, made->value) : Result<double>(made.error());
+    return parameter && traceOf(traced, made->value, *parameter) ? traced : object;
+}
+
 /// Where nothing but the type was set: then the other fields are still those of the former one.
 Json ofNewType(const Json& before, Json after) {
     const std::string type = stringOr(after, "type", "");
     if (findObjectType(type) == nullptr) return after;  // validation will say so
     Json former = after;
     former["type"] = before["type"];
-    return former == before ? ofType(before, type) : after;
+    if (former != before) return after;
+    Json object = ofType(before, type);
+    if (findCurveType(type) == nullptr) object.erase("t");
+    return withTraceOf(before, keepParameters(before, std::move(object)));
 }
 
 /// Enough samples that the table looks like the function it was made from.
@@ -59,26 +76,6 @@ Json sampledValues(const Json& spec) {
     if (const auto made = makeBFunction(spec)) made->value.sampleUniform(values);
     values.back() = 1;
     return listOf(values);
-}
-
-/// The parameters that were left as they are, moved to the end of a domain that has shrunk.
-Json keepParameters(const Json& before, Json after) {
-    const auto stays = [](const Json& from, const Json& to) {
-        const Json* t = member(to, "t");
-        return t != nullptr && t->is_number() && !differs(from, to, "t");
-    };
-    const Json* former = member(before, "trace");
-    const Json* trace = member(after, "trace");
-    const bool own = stays(before, after);
-    const bool traced = former != nullptr && trace != nullptr && stays(*former, *trace);
-    if (!own && !traced) return after;
-    const auto made = makeCurve(after);
-    if (!made || isClosed(made->value)) return after;
-    const Interval whole = domain(made->value);
-    const auto keep = [&](Json& t) { t = std::clamp(t.get<double>(), whole.start, whole.end); };
-    if (own) keep(after["t"]);
-    if (traced) keep(after["trace"]["t"]);
-    return after;
 }
 
 }  // namespace
@@ -123,6 +120,25 @@ Json adaptObject(const Json& before, Json after) {
     if (type == "point-cloud") return adaptPointCloud(before, std::move(after));
     if (findSurfaceType(type) != nullptr) return adaptSurface(before, std::move(after));
     return keepParameters(before, adaptCurve(before, std::move(after)));
+}
+
+Json keepParameters(const Json& before, Json after) {
+    const auto stays = [](const Json& from, const Json& to) {
+        const Json* t = member(to, "t");
+        return t != nullptr && t->is_number() && !differs(from, to, "t");
+    };
+    const Json* former = member(before, "trace");
+    const Json* trace = member(after, "trace");
+    const bool own = stays(before, after);
+    const bool traced = former != nullptr && trace != nullptr && stays(*former, *trace);
+    if (!own && !traced) return after;
+    const auto made = makeCurve(after);
+    if (!made || isClosed(made->value)) return after;
+    const Interval whole = domain(made->value);
+    const auto keep = [&](Json& t) { t = std::clamp(t.get<double>(), whole.start, whole.end); };
+    if (own) keep(after["t"]);
+    if (traced) keep(after["trace"]["t"]);
+    return after;
 }
 
 Json adaptFamily(const Json& before, const std::string& family) {

@@ -14,6 +14,10 @@ namespace knotwork::scene {
 /// are gone go with them. Fields that were changed themselves are left as they are.
 [[nodiscard]] Json adaptObject(const Json& before, Json after);
 
+/// The object `after` with the parameters that were left as they are, `t` and that of its trace, moved
+/// to the end of a domain that has shrunk.
+[[nodiscard]] Json keepParameters(const Json& before, Json after);
+
 /// A B-function specification that has just been given another family: the parameters of the
 /// former family go; a family made of others takes the former function as its operand.
 [[nodiscard]] Json adaptFamily(const Json& before, const std::string& family);

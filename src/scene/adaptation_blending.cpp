@@ -1,5 +1,6 @@
 // Blending curves and surfaces: knots and poses follow the numbers of locals, the model and the form.
 #include "scene/adaptation_parts.hpp"
+#include "scene/followed_locals.hpp"
 #include "scene/json_values.hpp"
 #include "scene/knot_adaptation.hpp"
 #include "scene/specs.hpp"
@@ -41,14 +42,16 @@ bool isAnotherModel(const Json& before, const Json& after) {
            (differs(*from, *to, "type") || differs(*from, *to, "name"));
 }
 
-template <class Exists>
-Json keepPoses(Json blend, Exists exists) {
+/// The poses of local curves and patches that are still there, whatever their numbers are now.
+Json keepPoses(const Json& before, Json blend) {
     Json* poses = member(blend, "poses");
     if (poses == nullptr || !poses->is_array()) return blend;
     Json kept = Json::array();
     for (Json& pose : *poses) {
-        const Json* local = member(pose, "local");
-        if (local == nullptr || exists(*local)) kept.push_back(std::move(pose));
+        auto local = followedLocal(before, blend, pose["local"]);
+        if (!local) continue;
+        pose["local"] = std::move(*local);
+        kept.push_back(std::move(pose));
     }
     *poses = std::move(kept);
     return blend;
@@ -152,11 +155,7 @@ Json adaptBlending(const Json& before, Json after) {
     after = adaptLocals(before, std::move(after));
     const auto count = localCount(after);
     if (!count) return after;
-    if (!differs(before, after, "poses")) {
-        after = keepPoses(std::move(after), [&](const Json& local) {
-            return local.get<double>() < static_cast<double>(*count);
-        });
-    }
+    if (!differs(before, after, "poses")) after = keepPoses(before, std::move(after));
     return adaptCurveKnots(before, std::move(after), *count);
 }
 
@@ -169,12 +168,7 @@ Json adaptBlendingSurface(const Json& before, Json after) {
     if (differs(before, after, "kind") && !differs(before, after, "degree")) after.erase("degree");
     const auto counts = patchCounts(after);
     if (!counts) return after;
-    if (!differs(before, after, "poses")) {
-        after = keepPoses(std::move(after), [&](const Json& local) {
-            return local[0].get<double>() < static_cast<double>((*counts)[0]) &&
-                   local[1].get<double>() < static_cast<double>((*counts)[1]);
-        });
-    }
+    if (!differs(before, after, "poses")) after = keepPoses(before, std::move(after));
     return adaptSurfaceKnots(before, std::move(after), *counts);
 }
 

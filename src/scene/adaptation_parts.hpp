@@ -28,7 +28,7 @@ namespace knotwork::scene {
 [[nodiscard]] Json adaptPointCloud(const Json& before, Json after);
 
 /// The object as one of another type: with the same points, or made of what it was, as far as that
-/// goes; with its id, style and show.
+/// goes; with its id, style, show and parameter.
 [[nodiscard]] Json ofType(const Json& before, std::string_view type);
 
 }  // namespace knotwork::scene

@@ -89,7 +89,7 @@ Json withPoints(Json object, std::string_view type, Json points) {
 Json ofType(const Json& before, std::string_view type) {
     const Beginning* found = findNamed(beginnings, &Beginning::type, type);
     Json object{{"type", type}};
-    for (const char* own : {"id", "style", "show"}) {
+    for (const char* own : {"id", "style", "show", "t"}) {
         if (const Json* value = member(before, own)) object[own] = *value;
     }
     if (found == nullptr) return object;  // validation will say what is missing

@@ -2,6 +2,7 @@
 
 #include "scene/adaptation.hpp"
 #include "scene/document.hpp"
+#include "scene/followed_locals.hpp"
 #include "scene/mesh_specs.hpp"
 #include "scene/validation.hpp"
 
@@ -28,15 +29,20 @@ Result<State> withMade(const State& state, std::size_t i, MadeObject object) {
     const auto free = checkFreeId(state, i, (*object)->id);
     if (!free) return free.error();
     State next = state;
-    const std::string former = state.objects[i]->id;
+    const Object& former = *state.objects[i];
     next.objects[i] = std::move(*object);
-    for (std::size_t k = 0; k < next.effects.size(); ++k) {
-        if (next.effects[k]->target != former) continue;
-        Json effect = next.effects[k]->spec;
-        effect["target"] = next.objects[i]->id;
-        auto read = readEffect(effect, next.objects);
+    next.effects.clear();
+    for (std::size_t k = 0; k < state.effects.size(); ++k) {
+        if (state.effects[k]->target != former.id) {
+            next.effects.push_back(state.effects[k]);
+            continue;
+        }
+        auto effect = followedEffect(former.spec, next.objects[i]->spec, state.effects[k]->spec);
+        if (!effect) continue;
+        (*effect)["target"] = next.objects[i]->id;
+        auto read = readEffect(*effect, next.objects);
         if (!read) return read.error().under(indexed("effects", k));
-        next.effects[k] = std::move(*read);
+        next.effects.push_back(std::move(*read));
     }
     return next;
 }

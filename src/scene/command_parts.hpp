@@ -44,8 +44,8 @@ struct Part {
 [[nodiscard]] Result<std::size_t> objectNamed(const State& state, const Json& arguments,
                                               std::string_view verb);
 
-/// The state with object `i` made anew from `spec`. Effects follow their object to a new name, and
-/// must still fit what it has become.
+/// The state with object `i` made anew from `spec`. Effects follow their object to a new name and
+/// their local curve to a new number; those that have nothing to move any more go.
 [[nodiscard]] Result<State> withObject(const State& state, std::size_t i, const Json& spec);
 /// The same where only points of the canonical specification changed, and were checked.
 [[nodiscard]] Result<State> withPointsOf(const State& state, std::size_t i, Json spec);
