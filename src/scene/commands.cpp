@@ -62,9 +62,8 @@ Result<State> insertAt(const State& state, const Part& part, const Json& value) 
 Result<State> removeAt(const State& state, const Part& part) {
     Json spec = editable(state, part);
     // Without an index it is the whole list that goes, and the default comes back.
-    const bool knot = leadsToKnots(spec, part.rest) && part.rest.back().isIndex();
-    auto changed =
-        knot ? removeKnotIn(spec, part.rest) : removeIn(std::move(spec), part.rest);
+    auto changed = namesKnot(spec, part.rest) ? removeKnotIn(spec, part.rest)
+                                              : removeIn(std::move(spec), part.rest);
     if (!changed) return changed.error().under(part.path());
     return withPart(state, part, std::move(*changed));
 }

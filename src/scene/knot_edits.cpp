@@ -5,6 +5,7 @@
 #include "scene/edits.hpp"
 #include "scene/json_values.hpp"
 #include "scene/specs.hpp"
+#include "scene/surface_knot_edits.hpp"
 #include "scene/validation.hpp"
 
 #include <algorithm>
@@ -20,9 +21,33 @@ std::string pathOf(std::span<const PathStep> rest) {
     return formatPath(Path(rest.begin(), rest.end()));
 }
 
-/// How many steps of `rest` lead to the curve whose knots it names.
-std::size_t stepsToCurve(std::span<const PathStep> rest) {
-    return rest.size() - (rest.back().isIndex() ? 2 : 1);
+/// What a path to knots names.
+struct KnotPlace {
+    std::size_t steps = 0;                   ///< to the curve or surface that has them
+    std::optional<std::size_t> direction{};  ///< of a surface
+    std::optional<std::size_t> index{};      ///< of one knot
+};
+
+/// `knots` and `knots[3]` of a curve, `knots[1]` and `knots[1][3]` of a surface.
+std::optional<KnotPlace> knotPlace(const Json& part, std::span<const PathStep> rest) {
+    std::size_t indices = 0;
+    while (indices < rest.size() && rest[rest.size() - 1 - indices].isIndex()) ++indices;
+    if (indices > 2 || indices == rest.size()) return std::nullopt;
+    KnotPlace place{.steps = rest.size() - 1 - indices};
+    if (rest[place.steps].key != "knots") return std::nullopt;
+    const Json* owner = find(part, rest.first(place.steps));
+    if (owner == nullptr) return std::nullopt;
+    const std::string type = stringOr(*owner, "type", "");
+    const bool surface = type == "bspline-surface" || type == "blending-surface";
+    const bool curve = type == "bspline-curve" || type == "blending-curve";
+    if (curve && indices < 2) {
+        if (indices == 1) place.index = rest.back().index;
+        return place;
+    }
+    if (!surface || indices == 0 || rest[place.steps + 1].index > 1) return std::nullopt;
+    place.direction = rest[place.steps + 1].index;
+    if (indices == 2) place.index = rest.back().index;
+    return place;
 }
 
 /// The curve with other points and knots, and with all that it has besides.
@@ -116,26 +141,17 @@ KnotLine lineOf(std::string_view type, const Json* form, const Json* degree) {
             .degree = static_cast<std::size_t>(degree->get<double>())};
 }
 
-/// What `rest`, which ends in an index, names a knot of.
+/// What `rest` names a knot of, if it names one.
 std::optional<KnotLine> knotLineAt(const Json& part, std::span<const PathStep> rest) {
-    if (rest.size() < 2 || !rest.back().isIndex()) return std::nullopt;
-    const bool surface = rest[rest.size() - 2].isIndex();
-    if (surface && rest.size() < 3) return std::nullopt;
-    const std::size_t steps = rest.size() - (surface ? 3 : 2);
-    if (rest[steps].key != "knots") return std::nullopt;
-    const Json* owner = find(part, rest.first(steps));
-    if (owner == nullptr || find(part, rest.first(rest.size() - 1)) == nullptr) return std::nullopt;
-    const std::string type = stringOr(*owner, "type", "");
-    if (!surface && (type == "bspline-curve" || type == "blending-curve")) {
-        return lineOf(type, member(*owner, "form"), member(*owner, "degree"));
-    }
-    if (!surface || (type != "bspline-surface" && type != "blending-surface")) return std::nullopt;
-    const std::size_t direction = rest[steps + 1].index;
+    const auto place = knotPlace(part, rest);
+    if (!place || !place->index) return std::nullopt;
+    if (find(part, rest.first(rest.size() - 1)) == nullptr) return std::nullopt;
+    const Json& owner = *find(part, rest.first(place->steps));
     const auto of = [&](const char* key) {
-        const Json* pair = member(*owner, key);
-        return pair != nullptr ? &(*pair)[direction] : nullptr;
+        const Json* value = member(owner, key);
+        return value != nullptr && place->direction ? &(*value)[*place->direction] : value;
     };
-    return lineOf(type, of("form"), of("degree"));
+    return lineOf(stringOr(owner, "type", ""), of("form"), of("degree"));
 }
 
 /// The first and the last of the knots that move with this one.
@@ -199,24 +215,20 @@ Result<Json> withoutKnot(const Json& curve, std::size_t index) {
     return withoutLocal(curve, *made->value.as<BlendingCurve>(), index);
 }
 
-/// `part` with the curve at `rest` changed; what is refused is refused at `rest`.
-Result<Json> withCurve(const Json& part, std::span<const PathStep> rest, Result<Json> curve) {
-    if (!curve) return refuse(curve.error().code, pathOf(rest), curve.error().message);
+/// `part` with the curve or surface whose knots `rest` names changed; what is refused is refused at
+/// `rest`.
+Result<Json> withOwner(const Json& part, std::span<const PathStep> rest, std::size_t steps,
+                       Result<Json> owner) {
+    if (!owner) return refuse(owner.error().code, pathOf(rest), owner.error().message);
     Json changed = part;
-    *find(changed, rest.first(stepsToCurve(rest))) = std::move(*curve);
+    *find(changed, rest.first(steps)) = std::move(*owner);
     return changed;
 }
 
 }  // namespace
 
 bool leadsToKnots(const Json& part, std::span<const PathStep> rest) {
-    if (rest.empty() || (rest.back().isIndex() && rest.size() < 2)) return false;
-    const std::size_t steps = stepsToCurve(rest);
-    if (rest[steps].key != "knots") return false;
-    const Json* curve = find(part, rest.first(steps));
-    if (curve == nullptr) return false;
-    const std::string type = stringOr(*curve, "type", "");
-    return type == "bspline-curve" || type == "blending-curve";
+    return knotPlace(part, rest).has_value();
 }
 
 bool namesKnot(const Json& part, std::span<const PathStep> rest) {
@@ -276,16 +288,23 @@ Result<Json> insertKnotIn(const Json& part, std::span<const PathStep> rest, cons
         return refuse(Code::wrongType, pathOf(rest),
                       "A knot is a number, not " + describeValue(value) + ".");
     }
-    const Json& curve = *find(part, rest.first(stepsToCurve(rest)));
-    return withCurve(part, rest, withKnot(curve, value.get<double>()));
+    const KnotPlace place = *knotPlace(part, rest);
+    const Json& owner = *find(part, rest.first(place.steps));
+    const double at = value.get<double>();
+    return withOwner(part, rest, place.steps,
+                     place.direction ? withKnotAlong(owner, *place.direction, at)
+                                     : withKnot(owner, at));
 }
 
 Result<Json> removeKnotIn(const Json& part, std::span<const PathStep> rest) {
     if (find(part, rest) == nullptr) {
         return refuse(Code::unknownField, pathOf(rest), "There is no " + pathOf(rest) + " here.");
     }
-    const Json& curve = *find(part, rest.first(stepsToCurve(rest)));
-    return withCurve(part, rest, withoutKnot(curve, rest.back().index));
+    const KnotPlace place = *knotPlace(part, rest);
+    const Json& owner = *find(part, rest.first(place.steps));
+    return withOwner(part, rest, place.steps,
+                     place.direction ? withoutKnotAlong(owner, *place.direction, *place.index)
+                                     : withoutKnot(owner, *place.index));
 }
 
 }  // namespace knotwork::scene

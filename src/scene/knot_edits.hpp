@@ -6,8 +6,8 @@
 
 namespace knotwork::scene {
 
-/// Whether `rest` leads from `part` to the knots of a curve, or to one of them: `knots`, `knots[3]`,
-/// `model.knots[3]`.
+/// Whether `rest` leads from `part` to the knots of a curve or of one direction of a surface, or to one
+/// of them: `knots`, `knots[3]`, `model.knots[3]`; `knots[1]`, `knots[1][3]`.
 [[nodiscard]] bool leadsToKnots(const Json& part, std::span<const PathStep> rest);
 
 /// Whether `rest` leads from `part` to one knot of a curve or of one direction of a surface.
@@ -33,13 +33,14 @@ struct MovedKnot {
 /// knotwork::insertKnot(), and NOT_SUPPORTED for curves without a model or without knots.
 [[nodiscard]] Result<Json> withKnot(const Json& curve, double at);
 
-/// `part` with the knot `value` in the curve that `rest` leads to, wherever in the list it belongs.
-/// WRONG_TYPE for what is no number; refusals are those of withKnot() at the path of the list.
+/// `part` with the knot `value` in the curve or surface that `rest` leads to, wherever in the list it
+/// belongs. WRONG_TYPE for what is no number; refusals are those of withKnot() and withKnotAlong() at
+/// the path of the list.
 [[nodiscard]] Result<Json> insertKnotIn(const Json& part, std::span<const PathStep> rest,
                                         const Json& value);
 
-/// `part` without the knot to which `rest`, which ends in an index, leads: of a B-spline curve, the curve with one knot less
-/// that comes nearest; of a blending curve, with its local curve. Refusals at that path:
+/// `part` without the knot that `rest` names: of a B-spline curve or surface, that with one knot less
+/// which comes nearest; of a blending one, with its local curve or patches. Refusals at that path:
 /// UNKNOWN_FIELD for a knot that is not there; OUT_OF_RANGE for one that ends the domain or period, or
 /// without which a rational curve would have a weight that is not positive; KNOTS_COUNT.
 [[nodiscard]] Result<Json> removeKnotIn(const Json& part, std::span<const PathStep> rest);
