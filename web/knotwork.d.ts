@@ -864,7 +864,8 @@ export interface TraceFrame {
 
 export interface SceneView {
     mode?: '2d' | '3d';
-    panes?: readonly ('curve' | 'basis' | 'knots' | 'bFunction')[];
+    /** Default all but the hodograph. */
+    panes?: readonly Pane[];
     /** Without a centre and a height all is fitted; the angles, in radians, are those of a 3D view. */
     camera?: { center?: Point; height?: number; azimuth?: number; elevation?: number };
 }
@@ -876,6 +877,13 @@ export interface SubdivisionSurfaceSpec {
     /** Default 2. */
     levels?: number;
     mesh: MeshSpec;
+    /** A point of the next level, shown with the weights of the vertices that it is made from. */
+    stencil?: {
+        /** Default a vertex. Of a Doo–Sabin surface, a corner of a face. */
+        of?: 'vertex' | 'edge' | 'face' | 'corner';
+        /** From 0, default 0; the last one beyond the end. */
+        index?: number;
+    };
 }
 
 export interface PointCloudSpec {
@@ -1009,7 +1017,12 @@ export type SingleCommand =
     /** What is left out of a pose keeps its value. */
     | { pose: { object: string } & PosedLocals & Pose }
     | { pose: { object: string; by: PoseChange } & PosedLocals }
-    | { insertKnot: { object: string; at: number } };
+    /**
+     * B-splines do not move; blending curves and surfaces get local curves or patches there. A
+     * surface needs to know along which parameter. `{ insert: 'objects[0].knots[1]', value }` does
+     * the same, and `{ remove: 'objects[0].knots[1][4]' }` takes a knot out with its row or column.
+     */
+    | { insertKnot: { object: string; at: number; along?: 'u' | 'v' } };
 
 /**
  * Commands of one gesture are one step of history, and so is a list of them, of which all are
@@ -1083,7 +1096,7 @@ export interface SvgOptions extends MomentOptions {
     /** `theme` (default), `none`, or a colour as `#rrggbb`. */
     background?: string;
     /** Which of the linked views are in it; default the curve alone. */
-    panes?: readonly ('curve' | 'basis' | 'knots' | 'bFunction')[];
+    panes?: readonly Pane[];
 }
 
 export interface ExportOptions extends MomentOptions {

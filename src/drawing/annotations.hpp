@@ -1,5 +1,5 @@
-// What explains an object in words and steps: labels that keep out of each other's way, and the
-// frame of a trace.
+// What explains an object in words and steps: labels that keep out of each other's way, the frame of
+// a trace, and the stencil of a subdivision.
 #pragma once
 
 #include "drawing/sketch.hpp"
@@ -24,7 +24,14 @@ void drawTrace(Sketch& sketch);
 /// The title of that frame at the last point that it is about.
 [[nodiscard]] std::vector<Wanted> traceLabels(const scene::Object& object);
 
-/// The names that the object's `show.labels` asks for (P0 …, t3, t = 0.5), and those of its trace.
+/// The new point, the vertices that make it and the lines between them, role trace; the new point has
+/// index 1.
+void drawStencil(Sketch& sketch);
+/// The weights at those vertices, and the letter of the new point.
+[[nodiscard]] std::vector<Wanted> stencilLabels(const Sketch& sketch);
+
+/// The names that the object's `show.labels` asks for (P0 …, t3, t = 0.5), and those of its trace
+/// and its stencil.
 void drawLabels(Sketch& sketch);
 
 /// One label shape for each, beside its place in the plane: of eight positions the one that covers

@@ -97,6 +97,7 @@ std::vector<Shape> sketchFigure(const scene::Object& object, const scene::Body& 
     if (const auto* cloud = body.cloud()) drawCloudFigure(sketch, *cloud);
     if (const auto* graph = body.graph()) drawGraphFigure(sketch, *graph);
     drawTrace(sketch);
+    drawStencil(sketch);
     drawLabels(sketch);
     std::vector<Shape> shapes = std::move(sketch).finish();
     if (!options.panes.curve) {

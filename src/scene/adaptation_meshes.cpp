@@ -3,6 +3,7 @@
 #include "geometry/triangulation.hpp"
 #include "scene/adaptation_parts.hpp"
 #include "scene/mesh_specs.hpp"
+#include "scene/mesh_stencils.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -67,9 +68,21 @@ Json inTriangles(const Json& mesh) {
     return cut ? specOf(*cut) : mesh;
 }
 
+/// The stencil of an element of which the new scheme makes points too: of the vertex with the same
+/// number, or of a corner.
+void adaptStencil(Json& surface) {
+    Json* shown = member(surface, "stencil");
+    const auto next = meshSchemeNamed(stringOr(surface, "scheme", ""));
+    if (shown == nullptr || !shown->is_object() || !next) return;
+    if (hasStencil(*next, meshElementNamed(stringOr(*shown, "of", "")))) return;
+    const bool vertices = hasStencil(*next, MeshElement::vertex);
+    (*shown)["of"] = meshElementName(vertices ? MeshElement::vertex : MeshElement::corner);
+}
+
 }  // namespace
 
 Json adaptSubdivisionSurface(const Json& before, Json after) {
+    if (differs(before, after, "scheme")) adaptStencil(after);
     Json* mesh = member(after, "mesh");
     if (mesh == nullptr || !mesh->is_object()) return after;
     const Json& former = *member(before, "mesh");

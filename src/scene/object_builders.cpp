@@ -3,6 +3,7 @@
 #include "scene/fit_specs.hpp"
 #include "scene/json_values.hpp"
 #include "scene/mesh_specs.hpp"
+#include "scene/mesh_stencils.hpp"
 #include "scene/named.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/surface_builders.hpp"
@@ -26,7 +27,9 @@ Result<Body> buildSubdivisionSurface(Json& spec) {
         const bool own = error.path == "levels" || error.path == "scheme";
         return own ? error : error.under("mesh");
     }
-    return Body(SubdivisionSurface{scheme, levels, std::move(control->value), std::move(*refined)});
+    SubdivisionSurface surface{scheme, levels, std::move(control->value), std::move(*refined)};
+    if (const auto shown = stencilOf(spec, surface); !shown) return shown.error();
+    return Body(std::move(surface));
 }
 
 Result<std::optional<Fit>> buildFit(const Json& spec, std::span<const Vec3> points) {

@@ -18,6 +18,18 @@ constexpr std::array schemeChoices{Choice{meshSchemeNames[0], "Catmull–Clark"}
                                    Choice{meshSchemeNames[3], "Butterfly"},
                                    Choice{meshSchemeNames[4], "√3"}};
 
+constexpr std::array elementChoices{Choice{"vertex", "Vertex"}, Choice{"edge", "Edge"},
+                                    Choice{"face", "Face"}, Choice{"corner", "Corner"}};
+
+constexpr std::array stencilFields{
+    Field{.name = "of", .label = "Of", .kind = FieldKind::choice,
+          .help = "What the new point is made for; corners of faces are those of Doo–Sabin.",
+          .defaultJson = "\"vertex\"", .choices = elementChoices},
+    Field{.name = "index", .label = "Which", .kind = FieldKind::integer,
+          .help = "Its number, from 0; the last one beyond the end.", .min = 0, .max = 1e9,
+          .defaultJson = "0"},
+};
+
 constexpr std::array subdivisionFields{
     Field{.name = "scheme", .label = "Scheme", .kind = FieldKind::choice,
           .help = "How a level makes a finer mesh of the one before.",
@@ -28,6 +40,9 @@ constexpr std::array subdivisionFields{
     Field{.name = "mesh", .label = "Mesh", .kind = FieldKind::mesh,
           .help = "The control mesh: a solid by its name, or vertices and faces.",
           .required = true},
+    Field{.name = "stencil", .label = "Stencil", .kind = FieldKind::group,
+          .help = "A point of the next level that is shown with the weights of what it is made from.",
+          .fields = stencilFields},
 };
 
 constexpr std::array fitFields{fitDegreeField, fitCountField,     fitFormField,
