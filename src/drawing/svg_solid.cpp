@@ -5,6 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace knotwork::drawing {
 
@@ -12,31 +18,106 @@ namespace {
 
 /// Towards the light, in pixels: over the left shoulder.
 constexpr Vec3 light{-0.299, -0.427, 0.854};
-constexpr double darkest = 0.45;  // of the colour, where a triangle stands across the light
+constexpr double darkest = 0.45;  // of the colour, where a facet stands across the light
+constexpr double shades = 48;     // from the darkest to the lightest: steps that nobody sees
 constexpr double seamWidth = 0.6; // pixels: hides the ground between neighbours
+constexpr int facetDecimals = 1;  // of their corners: the seam is wider than what is lost
+constexpr int lineDecimals = 2;
+/// Two triangles that turn less than this (the cosine of 8°) and have a side in common are a facet.
+constexpr double flat = 0.99;
 constexpr std::size_t mostPiecesOfALine = 4096;
+/// So many paths back a piece looks for one of its colour.
+constexpr std::size_t farthestBack = 96;
 
-/// A triangle, or a piece of a line: two points.
+/// A facet of three or four corners, or a piece of a line: two points.
 struct Piece {
     double depth = 0;
-    std::array<Vec3, 3> points{};
+    std::array<Vec3, 4> points{};
+    std::size_t corners = 3;
     const Shape* shape = nullptr;
     std::string paint;  ///< its colour
 
-    [[nodiscard]] bool isTriangle() const noexcept { return shape->kind == Kind::triangles; }
-    [[nodiscard]] bool paintsLike(const Piece& other) const noexcept {
-        return shape == other.shape && paint == other.paint;
+    [[nodiscard]] bool isFacet() const noexcept { return corners > 2; }
+    [[nodiscard]] std::span<const Vec3> outline() const noexcept {
+        return std::span(points).first(corners);
     }
 };
 
-double longestSide(const std::array<Vec3, 3>& t) noexcept {
+using Triangle = std::array<Vec3, 3>;
+
+/// Where something is painted, its stroke included.
+struct Extent {
+    double left = std::numeric_limits<double>::infinity();
+    double right = -left;
+    double top = left;
+    double bottom = -left;
+
+    void add(const Vec3& p, double margin) noexcept {
+        left = std::min(left, p.x - margin);
+        right = std::max(right, p.x + margin);
+        top = std::min(top, p.y - margin);
+        bottom = std::max(bottom, p.y + margin);
+    }
+    void add(const Extent& other) noexcept {
+        left = std::min(left, other.left);
+        right = std::max(right, other.right);
+        top = std::min(top, other.top);
+        bottom = std::max(bottom, other.bottom);
+    }
+    [[nodiscard]] bool meets(const Extent& other) const noexcept {
+        return left < other.right && other.left < right && top < other.bottom &&
+               other.top < bottom;
+    }
+};
+
+/// Pieces of one colour that are painted at once, none on what was painted between them.
+struct Layer {
+    const Piece* model = nullptr;
+    std::vector<const Piece*> pieces;
+    std::vector<Extent> extents;  ///< of each piece
+    Extent whole;
+
+    [[nodiscard]] bool paintsLike(const Piece& piece) const noexcept {
+        return model->shape == piece.shape && model->paint == piece.paint;
+    }
+    [[nodiscard]] bool meets(const Extent& place) const noexcept {
+        return whole.meets(place) &&
+               std::any_of(extents.begin(), extents.end(),
+                           [&](const Extent& one) { return one.meets(place); });
+    }
+};
+
+double longestSide(const Triangle& t) noexcept {
     const auto side = [](const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); };
     return std::max({side(t[0], t[1]), side(t[1], t[2]), side(t[2], t[0])});
 }
 
-double depthRange(const std::array<Vec3, 3>& t) noexcept {
+double depthRange(const Triangle& t) noexcept {
     const auto [low, high] = std::minmax({t[0].z, t[1].z, t[2].z});
     return high - low;
+}
+
+Vec3 areaOf(const Triangle& t) noexcept { return glm::cross(t[1] - t[0], t[2] - t[0]); }
+
+double cosine(const Vec3& a, const Vec3& b) noexcept {
+    const double size = glm::length(a) * glm::length(b);
+    return size > 0 ? glm::dot(a, b) / size : 0;
+}
+
+/// Both as one outline of four corners, where they have a side in common, lie nearly in a plane and
+/// are seen from the same side.
+std::optional<std::array<Vec3, 4>> joined(const Triangle& a, const Triangle& b) noexcept {
+    const Vec3 areaA = areaOf(a);
+    const Vec3 areaB = areaOf(b);
+    if (!(areaA.z * areaB.z > 0) || !(cosine(areaA, areaB) > flat)) return std::nullopt;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            // From a[i] to a[i+1], and back in b.
+            if (a[i] != b[(j + 1) % 3] || a[(i + 1) % 3] != b[j]) continue;
+            return std::array{a[(i + 1) % 3], a[(i + 2) % 3], a[i], b[(j + 2) % 3]};
+        }
+    }
+    return std::nullopt;
 }
 
 class SolidWriter {
@@ -45,16 +126,17 @@ public:
 
     void write(std::span<const Shape> shapes) {
         for (const Shape& shape : shapes) {
-            if (shape.kind == Kind::triangles) triangles(shape);
+            if (shape.kind == Kind::triangles) facets(shape);
         }
         for (const Shape& shape : shapes) {
             if (belongsToSolid(shape) && shape.kind == Kind::polyline) line(shape);
         }
         std::stable_sort(pieces_.begin(), pieces_.end(),
                          [](const Piece& a, const Piece& b) { return a.depth < b.depth; });
+        for (const Piece& piece : pieces_) layer(piece);
         xml_.begin("g").attribute("class", "knotwork-solid").attribute("fill", "none");
         xml_.attribute("stroke-linecap", "round").attribute("stroke-linejoin", "round");
-        for (std::size_t i = 0; i < pieces_.size();) i = run(i);
+        for (const Layer& one : layers_) path(one);
         xml_.end();
     }
 
@@ -71,23 +153,51 @@ private:
     [[nodiscard]] Vec3 corner(const Shape& shape, std::size_t k) const noexcept {
         return at(shape, shape.indices.empty() ? k : shape.indices[k]);
     }
+    [[nodiscard]] std::optional<Triangle> triangle(const Shape& shape, std::size_t i) const {
+        if (i + 2 >= cornerCount(shape)) return std::nullopt;
+        const Triangle t{corner(shape, i), corner(shape, i + 1), corner(shape, i + 2)};
+        if (!isFinite(t[0] + t[1] + t[2])) return std::nullopt;
+        return t;
+    }
 
-    void triangles(const Shape& shape) {
-        for (std::size_t i = 0; i + 2 < cornerCount(shape); i += 3) {
-            const std::array corners{corner(shape, i), corner(shape, i + 1), corner(shape, i + 2)};
-            if (!isFinite(corners[0] + corners[1] + corners[2])) continue;
-            longest_ = std::max(longest_, longestSide(corners));
-            thickest_ = std::max(thickest_, depthRange(corners));
-            const double depth = (corners[0].z + corners[1].z + corners[2].z) / 3;
-            pieces_.push_back({depth, corners, &shape, shaded(shape.colour, corners)});
+    /// Cells of a grid come as two triangles, one after the other.
+    void facets(const Shape& shape) {
+        for (std::size_t i = 0; i < cornerCount(shape); i += 3) {
+            const auto first = triangle(shape, i);
+            if (!first) continue;
+            measure(*first);
+            const auto second = triangle(shape, i + 3);
+            const auto both = second ? joined(*first, *second) : std::nullopt;
+            if (!both) {
+                facet(shape, {(*first)[0], (*first)[1], (*first)[2], {}}, 3, areaOf(*first));
+                continue;
+            }
+            measure(*second);
+            facet(shape, *both, 4, areaOf(*first) + areaOf(*second));
+            i += 3;
         }
     }
 
-    [[nodiscard]] std::string shaded(const Colour& colour, const std::array<Vec3, 3>& t) const {
-        const Vec3 across = glm::cross(t[1] - t[0], t[2] - t[0]);
-        const double size = glm::length(across);
-        const double facing = size > 0 ? std::abs(glm::dot(across, light)) / size : 1;
-        const double share = darkest + (1 - darkest) * facing;
+    void measure(const Triangle& t) noexcept {
+        longest_ = std::max(longest_, longestSide(t));
+        thickest_ = std::max(thickest_, depthRange(t));
+    }
+
+    /// All facets go round in one sense, so that none of a path takes another's paint away.
+    void facet(const Shape& shape, std::array<Vec3, 4> points, std::size_t corners,
+               const Vec3& area) {
+        const auto end = points.begin() + static_cast<std::ptrdiff_t>(corners);
+        if (area.z < 0) std::reverse(points.begin() + 1, end);
+        double depth = 0;
+        for (std::size_t k = 0; k < corners; ++k) depth += points[k].z;
+        pieces_.push_back({depth / static_cast<double>(corners), points, corners, &shape,
+                           shaded(shape.colour, area)});
+    }
+
+    [[nodiscard]] std::string shaded(const Colour& colour, const Vec3& area) const {
+        const double size = glm::length(area);
+        const double facing = size > 0 ? std::abs(glm::dot(area, light)) / size : 1;
+        const double share = darkest + (1 - darkest) * std::round(shades * facing) / shades;
         return svgColour({share * colour.red, share * colour.green, share * colour.blue, 1},
                          picture_.theme);
     }
@@ -109,50 +219,65 @@ private:
                     return from + static_cast<double>(j) / static_cast<double>(count) * (to - from);
                 };
                 const double depth = (part(k).z + part(k + 1).z) / 2 + thickest_;
-                pieces_.push_back({depth, {part(k), part(k + 1), {}}, &shape, paint});
+                pieces_.push_back({depth, {part(k), part(k + 1), {}, {}}, 2, &shape, paint});
             }
         }
     }
 
-    void pair(std::string& data, char command, const Vec3& p) const {
-        data += command;
-        appendNumber(data, p.x, 2);
-        data += ',';
-        appendNumber(data, p.y, 2);
+    [[nodiscard]] double strokeOf(const Piece& piece) const noexcept {
+        if (piece.isFacet()) return seamWidth;
+        return svgColours(picture_.theme).strength * static_cast<double>(piece.shape->width);
     }
 
-    /// One path for all the neighbours in depth that are painted alike; past the last of them.
-    std::size_t run(std::size_t first) {
-        const Piece& model = pieces_[first];
+    /// Into the last layer of its colour, if nothing that was painted since lies below it. What can be
+    /// seen through is painted one by one.
+    void layer(const Piece& piece) {
+        Extent place;
+        for (const Vec3& p : piece.outline()) place.add(p, strokeOf(piece) / 2);
+        const std::size_t last = layers_.size() > farthestBack ? layers_.size() - farthestBack : 0;
+        for (std::size_t k = layers_.size(); k > last; --k) {
+            Layer& candidate = layers_[k - 1];
+            if (piece.shape->colour.alpha >= 1 && candidate.paintsLike(piece)) {
+                candidate.pieces.push_back(&piece);
+                candidate.extents.push_back(place);
+                candidate.whole.add(place);
+                return;
+            }
+            if (candidate.meets(place)) break;
+        }
+        layers_.push_back({&piece, {&piece}, {place}, place});
+    }
+
+    void path(const Layer& layer) {
+        const Piece& model = *layer.model;
+        const int decimals = model.isFacet() ? facetDecimals : lineDecimals;
         std::string data;
-        std::size_t i = first;
-        for (; i < pieces_.size() && pieces_[i].paintsLike(model); ++i) {
-            pair(data, 'M', pieces_[i].points[0]);
-            pair(data, 'L', pieces_[i].points[1]);
-            if (model.isTriangle()) pair(data, 'L', pieces_[i].points[2]);
-            if (model.isTriangle()) data += 'Z';
+        for (const Piece* piece : layer.pieces) {
+            char command = 'M';
+            for (const Vec3& p : piece->outline()) {
+                data += std::exchange(command, 'L');
+                appendNumber(data, p.x, decimals);
+                data += ',';
+                appendNumber(data, p.y, decimals);
+            }
+            if (model.isFacet()) data += 'Z';
         }
         const Shape& shape = *model.shape;
         xml_.begin("path").attribute("data-role", roleName(shape.role));
-        if (model.isTriangle()) xml_.attribute("fill", model.paint);
-        xml_.attribute("stroke", model.paint);
-        xml_.number("stroke-width", model.isTriangle()
-                                        ? seamWidth
-                                        : svgColours(picture_.theme).strength *
-                                              static_cast<double>(shape.width));
+        if (model.isFacet()) xml_.attribute("fill", model.paint);
+        xml_.attribute("stroke", model.paint).number("stroke-width", strokeOf(model));
         if (shape.colour.alpha < 1) xml_.number("opacity", shape.colour.alpha);
         xml_.attribute("d", data);
         xml_.end();
-        return i;
     }
 
     XmlWriter& xml_;
     const PanePicture& picture_;
     std::vector<Piece> pieces_;
+    std::vector<Layer> layers_;
     double longest_ = 0;   ///< side of a triangle in the picture
     double thickest_ = 0;  ///< depth of one
 };
-
 }  // namespace
 
 bool belongsToSolid(const Shape& shape) noexcept {

@@ -161,32 +161,86 @@ TEST(Svg, AViewInSpaceLooksFromItsAzimuthAndElevation) {
     EXPECT_GT((any * Vec3(0, 0, 1)).y, 0.8);
 }
 
-TEST(Svg, WhatIsFartherAwayIsPaintedFirst) {
+Shape trianglesOf(const Colour& colour, std::vector<double> positions) {
+    Shape shape;
+    shape.role = Role::surface;
+    shape.kind = Kind::triangles;
+    shape.colour = colour;
+    shape.positions = std::move(positions);
+    return shape;
+}
+
+/// The shapes of one surface seen from above, in a picture of 10 by 10 units and pixels.
+std::string solidText(std::vector<Shape> shapes) {
     const Scene scene = opened(R"({"knotwork": 1, "objects": [{"id": "s",
         "type": "parametric-surface", "name": "plane"}]})");
-    Shape near;
-    near.role = Role::surface;
-    near.kind = Kind::triangles;
-    near.colour = {1, 0, 0, 1};
-    near.positions = {0, 0, 2, 10, 0, 2, 0, 10, 2};
-    Shape far = near;
-    far.colour = {0, 0, 1, 1};
-    far.positions = {0, 0, 1, 10, 0, 1, 0, 10, 1};
-    Shape line;
-    line.role = Role::isoline;
-    line.positions = {1, 1, 1, 2, 1, 1};
     Drawing drawing;
-    drawing.shapes = {near, far, line};
+    drawing.shapes = std::move(shapes);
     const Affine screen = screenOf(planeOrientation(), {5, 5, 1}, {0, 0, 10, 10});
     XmlWriter xml(2);
     writeShapes(xml, drawing, scene.state(), {Pane::curve, screen, SvgTheme::light});
-    const std::string text = xml.take();
-    const std::size_t blue = text.find("#0000");
+    return xml.take();
+}
+
+/// The data of all paths of surfaces.
+std::vector<std::string> facetsIn(const std::string& text) {
+    std::vector<std::string> found;
+    constexpr std::string_view begin = " d=\"";
+    for (std::size_t at = text.find("data-role=\"surface\""); at != std::string::npos;
+         at = text.find("data-role=\"surface\"", at + 1)) {
+        const std::size_t data = text.find(begin, at) + begin.size();
+        found.push_back(text.substr(data, text.find('"', data) - data));
+    }
+    return found;
+}
+
+constexpr Colour blue{0, 0, 1, 1};
+constexpr Colour red{1, 0, 0, 1};
+
+TEST(Svg, WhatIsFartherAwayIsPaintedFirst) {
+    const Shape near = trianglesOf(red, {0, 0, 2, 10, 0, 2, 0, 10, 2});
+    const Shape far = trianglesOf(blue, {0, 0, 1, 10, 0, 1, 0, 10, 1});
+    Shape line;
+    line.role = Role::isoline;
+    line.positions = {1, 1, 1, 2, 1, 1};
+    const std::string text = solidText({near, far, line});
+    const std::size_t first = text.find("#0000");
     const std::size_t grey = text.find("data-role=\"isoline\"");
-    const std::size_t red = text.find("M0,10L10,10L0,0Z", text.find("M0,10L10,10L0,0Z") + 1);
-    EXPECT_LT(blue, grey) << text;
-    EXPECT_LT(grey, red) << text;
+    const std::size_t last = text.rfind("M0,10L0,0L10,10Z");
+    EXPECT_LT(first, grey) << text;
+    EXPECT_LT(grey, last) << text;
     EXPECT_NE(text.find("M1,9L2,9"), std::string::npos) << text;
+}
+
+TEST(Svg, NeighboursOfOneColourAreOnePathUnlessSomethingLiesBetweenThem) {
+    const std::vector<double> low{0, 0, 1, 4, 0, 1, 0, 4, 1};
+    const std::vector<double> beside{5, 5, 3, 9, 5, 3, 5, 9, 3};
+    const std::vector<double> above{0, 0, 3, 4, 0, 3, 0, 4, 3};
+    const auto both = [](std::vector<double> a, const std::vector<double>& b) {
+        a.insert(a.end(), b.begin(), b.end());
+        return trianglesOf(red, std::move(a));
+    };
+    const Shape between = trianglesOf(blue, {0, 0, 2, 4, 0, 2, 0, 4, 2});
+    EXPECT_EQ(facetsIn(solidText({both(low, beside), between})).size(), 2U);
+    EXPECT_EQ(facetsIn(solidText({both(low, above), between})).size(), 3U);
+    EXPECT_EQ(facetsIn(solidText({both(low, beside), trianglesOf({0, 0, 1, 0.5}, low)})).size(), 2U);
+}
+
+TEST(Svg, TwoTrianglesOfAFlatCellAreOneFacet) {
+    const auto cell = [](double height) {
+        Shape shape = trianglesOf(red, {0, 0, 0, 4, 0, 0, 4, 4, height, 0, 4, 0});
+        shape.indices = {0, 1, 2, 0, 2, 3};
+        return shape;
+    };
+    EXPECT_EQ(facetsIn(solidText({cell(0)})), std::vector<std::string>{"M0,10L0,6L4,6L4,10Z"});
+    EXPECT_EQ(facetsIn(solidText({cell(3)})).size(), 2U);
+}
+
+TEST(Svg, FacetsOfOnePathNeverTakeEachOthersPaintAway) {
+    // Seen from above one goes round to the left and one to the right, and they overlap.
+    const Shape shape = trianglesOf(red, {0, 0, 0, 4, 0, 0, 0, 4, 0, 1, 1, 1, 1, 3, 1, 3, 1, 1});
+    const auto paths = facetsIn(solidText({shape}));
+    EXPECT_EQ(paths, std::vector<std::string>{"M0,10L0,6L4,10ZM1,9L1,7L3,9Z"});
 }
 
 }  // namespace
