@@ -83,8 +83,9 @@ drawing::SvgTheme themeOf(const Json& fields) {
 
 std::vector<drawing::Pane> panesOf(const Json& fields) {
     std::vector<drawing::Pane> panes;
-    for (const drawing::Pane pane : {drawing::Pane::curve, drawing::Pane::basis,
-                                     drawing::Pane::knots, drawing::Pane::bFunction}) {
+    for (const drawing::Pane pane :
+         {drawing::Pane::curve, drawing::Pane::basis, drawing::Pane::knots, drawing::Pane::bFunction,
+          drawing::Pane::hodograph}) {
         const Json* list = scene::member(fields, "panes");
         const Json name(drawing::paneName(pane));
         if (std::find(list->begin(), list->end(), name) != list->end()) panes.push_back(pane);

@@ -132,7 +132,7 @@ std::string svg(const scene::State& state, const SvgOptions& options) {
         writeShapes(xml, drawing, state, picture);
         xml.end();
     }
-    writePlots(xml, drawing, state, layout, options.theme);
+    writePlots(xml, drawing, state, layout, orientation, options.theme);
     xml.end();
     return xml.take();
 }

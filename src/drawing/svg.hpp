@@ -29,9 +29,9 @@ struct SvgOptions {
     std::string background = "theme";  ///< that of the theme, `none`, or a colour as `#rrggbb`
 };
 
-/// The panes that are asked for: the curve, and the plots of the first object that has some below
-/// it. Rounding a number moves its point by less than 5e-4 pixels and less
-/// than 3e-7 of the picture's smaller side.
+/// The panes that are asked for: the curve, the plots of the first object that has some below it, and
+/// its hodograph beside it. Rounding a number moves its point by less than 5e-4 pixels and less than
+/// 3e-7 of the picture's smaller side; the facets of surfaces keep a tenth of a pixel.
 [[nodiscard]] std::string svg(const scene::State& state, const SvgOptions& options);
 
 }  // namespace knotwork::drawing

@@ -1,5 +1,6 @@
 #include "drawing/svg_plots.hpp"
 
+#include "drawing/sketch.hpp"
 #include "drawing/svg_theme.hpp"
 #include "drawing/ticks.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double plotShare = 0.42;      // of the height, for basis functions or a B-function
 constexpr double basisShare = 0.6;      // of the width, beside a B-function
+constexpr double hodographWidth = 0.42; // of the width, beside the curve
 constexpr double knotRow = 12;          // pixels of an equal knot more
 constexpr double knotHeight = 50;       // of the knot line with one row and the names below it
 constexpr double left = 44, right = 16, top = 12, bottom = 24;  // round the area of a plot
@@ -105,11 +107,43 @@ public:
         }
     }
 
+    /// The derivative as a curve about the origin; of a plane with the grid of its coordinates.
+    void hodographPlot(const Frame& frame, const Orientation& orientation) {
+        PanePicture picture{Pane::hodograph, {}, theme_, objectIn(drawing_, Pane::hodograph), -1};
+        Bounds seen;
+        for (const Shape& shape : drawing_.shapes) {
+            if (!picture.shows(shape)) continue;
+            for (std::size_t i = 0; i < shape.positions.size() / 3; ++i) {
+                const Vec3 p = orientation * positionAt(shape, i);
+                if (isFinite(p)) seen.add(p);
+            }
+        }
+        const Frame area = inner(frame, bottom);
+        const Aim aim = aimAt(seen, area);
+        const auto range = [&](double middle, double pixels) {
+            return Interval{middle - pixels / aim.scale / 2, middle + pixels / aim.scale / 2};
+        };
+        const Interval x = range(aim.x, area.width);
+        begin(picture, frame, x, range(aim.y, area.height), bottom);
+        if (orientation == planeOrientation()) {
+            ticksBelow(x);
+            ticksBeside();
+        }
+        picture.screen = screenOf(orientation, aim, area_);
+        name("C\u2032");
+        end(picture);
+    }
+
 private:
+    /// Where the lines of a plot are, with the names of its ticks around.
+    [[nodiscard]] static Frame inner(const Frame& frame, double below) noexcept {
+        return {frame.x + left, frame.y + top, std::max(1.0, frame.width - left - right),
+                std::max(1.0, frame.height - top - below)};
+    }
+
     void begin(PanePicture& picture, const Frame& frame, const Interval& x, const Interval& y,
                double below) {
-        area_ = {frame.x + left, frame.y + top, std::max(1.0, frame.width - left - right),
-                 std::max(1.0, frame.height - top - below)};
+        area_ = inner(frame, below);
         y_ = y;
         picture.screen = mapOnto(area_, x, y);
         screen_ = picture.screen;
@@ -190,6 +224,22 @@ double knotsHeight(const Drawing& drawing) {
     return knotHeight + knotRow * std::clamp(boundsOf(drawing, line).max.y, 1.0, 6.0);
 }
 
+/// The place of the curve parted between both planes.
+template <class Wanted>
+SvgLayout withHodograph(SvgLayout layout, const Wanted& wanted) {
+    if (!wanted(Pane::hodograph)) return layout;
+    layout.hodograph = layout.curve;
+    if (!wanted(Pane::curve)) {
+        layout.curve.height = 0;
+        return layout;
+    }
+    const double width = std::min(hodographWidth * layout.curve.width, layout.curve.height);
+    layout.curve.width -= width;
+    layout.hodograph.x += layout.curve.width;
+    layout.hodograph.width = width;
+    return layout;
+}
+
 }  // namespace
 
 SvgLayout svgLayout(const Frame& whole, const Drawing& drawing, std::span<const Pane> panes) {
@@ -201,10 +251,10 @@ SvgLayout svgLayout(const Frame& whole, const Drawing& drawing, std::span<const 
     layout.curve = whole;
     const bool basis = wanted(Pane::basis), knots = wanted(Pane::knots);
     const bool bFunction = wanted(Pane::bFunction);
-    if (!basis && !knots && !bFunction) return layout;
+    if (!basis && !knots && !bFunction) return withHodograph(layout, wanted);
     const double line = knots ? std::min(knotsHeight(drawing), whole.height / 2) : 0;
     double plots = basis || bFunction ? std::max(plotShare * whole.height, line) : line;
-    if (!wanted(Pane::curve)) plots = whole.height;
+    if (!wanted(Pane::curve) && !wanted(Pane::hodograph)) plots = whole.height;
     layout.curve.height = whole.height - plots;
     const double y = whole.y + layout.curve.height;
     const bool parameters = basis || knots;
@@ -213,14 +263,15 @@ SvgLayout svgLayout(const Frame& whole, const Drawing& drawing, std::span<const 
     if (knots) layout.knots = {whole.x, basis ? y + plots - line : y, width, basis ? line : plots};
     const double side = parameters ? width : 0;
     if (bFunction) layout.bFunction = {whole.x + side, y, whole.width - side, plots};
-    return layout;
+    return withHodograph(layout, wanted);
 }
 
 void writePlots(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
-                const SvgLayout& layout, SvgTheme theme) {
+                const SvgLayout& layout, const Orientation& orientation, SvgTheme theme) {
     PlotWriter plots(xml, drawing, state, theme);
     plots.parameterPlots(layout.basis, layout.knots);
     if (layout.bFunction.height > 0) plots.bFunctionPlot(layout.bFunction);
+    if (layout.hodograph.height > 0) plots.hodographPlot(layout.hodograph, orientation);
 }
 
 }  // namespace knotwork::drawing

@@ -1,5 +1,5 @@
-// The plots of a picture: basis functions over their knot line, and a B-function with its
-// derivatives.
+// The plots of a picture: basis functions over their knot line, a B-function with its derivatives,
+// and the hodograph.
 #pragma once
 
 #include "drawing/screen.hpp"
@@ -15,14 +15,17 @@ struct SvgLayout {
     Frame basis;
     Frame knots;
     Frame bFunction;
+    Frame hodograph;
 };
 
-/// The curve above, basis functions on their knots below it, and the B-function beside these.
+/// The curve above, basis functions on their knots below it, and the B-function beside these. The
+/// hodograph, a plane like that of the curve, is beside the curve.
 [[nodiscard]] SvgLayout svgLayout(const Frame& whole, const Drawing& drawing,
                                   std::span<const Pane> panes);
 
-/// All plots of the layout, each with its ground, a grid and the names of its ticks.
+/// All plots of the layout, each with its ground, a grid and the names of its ticks; the hodograph as
+/// one sees the curve, x and y to one scale.
 void writePlots(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
-                const SvgLayout& layout, SvgTheme theme);
+                const SvgLayout& layout, const Orientation& orientation, SvgTheme theme);
 
 }  // namespace knotwork::drawing

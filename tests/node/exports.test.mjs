@@ -190,6 +190,27 @@ test('the plots stand below the curve, each with its ticks', () => {
     assert.deepEqual(alonePanes.flatMap(({ attributes }) => attributes['data-pane'] ?? []), ['curve']);
 });
 
+test('the hodograph stands beside the curve, x and y to one scale', () => {
+    const spec = { type: 'bspline-curve', degree: 2, points: [[0, 0], [1, 3], [4, 1], [5, 5]] };
+    const scene = alone({ ...spec, show: { hodograph: true } });
+    const elements = elementsOf(scene.svg({ panes: ['hodograph', 'curve'], width: 900, height: 500 }));
+    const panes = elements.filter(({ attributes }) => attributes['data-pane']);
+    assert.deepEqual(panes.map(({ attributes }) => attributes['data-pane']), ['curve', 'hodograph']);
+    const [line, arrow] = elements.filter(({ name, parent }) => name === 'path' && parent.attributes['data-role'] === 'hodograph');
+    const corners = (d) => stepsOf(d).flatMap(({ points }) => points);
+    const extent = (list, i) => Math.max(...list.map((p) => p[i])) - Math.min(...list.map((p) => p[i]));
+    const curve = kw.curve(spec);
+    const derivatives = [0, 1, 2].map((t) => curve.derivatives(t, 1)[1]);
+    const drawn = corners(line.attributes.d);
+    const scale = extent(drawn, 0) / extent(derivatives, 0);
+    near(extent(drawn, 1) / extent(derivatives, 1), scale, 1e-2);
+    near(corners(arrow.attributes.d).map(([x, y], _, [from]) => [(x - from[0]) / scale, (from[1] - y) / scale]).at(-1), curve.derivatives(1, 1)[1].slice(0, 2), 1e-2);
+    const { x, width } = elements.find(({ attributes }) => attributes.class === 'knotwork-plot').attributes;
+    assert.ok(Number(x) > 500 && Number(x) + Number(width) <= 900);
+    assert.deepEqual(elementsOf(alone(spec).svg({ panes: ['curve', 'hodograph'] })).flatMap(({ attributes }) => attributes['data-pane'] ?? []), ['curve']);
+    assert.deepEqual(kw.scene({ knotwork: 1, view: { panes: ['curve', 'hodograph'] } }).document.view.panes, ['curve', 'hodograph']);
+});
+
 test('a picture has no more digits than can be seen', () => {
     const svg = kw.scene(kw.scenes.find(({ id }) => id === 'butterfly').document).svg();
     const paths = svg.replaceAll(/data-matrix="[^"]*"/g, '');
