@@ -79,7 +79,9 @@ void ExpoRational::derivatives(double t, std::span<double> rows) const noexcept 
         const Jet variable = Jet::variable(t, static_cast<int>(rows.size()) - 2);
         const Jet distance = t < lambda_ ? lambda_ - variable : variable - lambda_;
         const Jet numerator = whole != 0 ? integerPower(distance, whole) : pow(distance, power);
-        const Jet flatness = exp(-alpha_ * (log(variable) + gamma_ * log(1.0 - variable)));
+        const Jet flatness = alpha_ == 1 && gamma_ == 1
+                                 ? 1.0 / (variable * (1.0 - variable))
+                                 : exp(-alpha_ * (log(variable) + gamma_ * log(1.0 - variable)));
         const Jet density = exp(-beta_ * (numerator * flatness));
         for (std::size_t k = 1; k < rows.size() && density.value() != 0; ++k) {
             rows[k] = table_->scale() * density.derivative(static_cast<int>(k) - 1);

@@ -210,7 +210,7 @@ void BlendingCurve::evaluate(double t, Side side, std::span<Vec3> rows) const no
         row *= power;
         power /= span.length;
     }
-    std::array<Vec3, maximumRows> secondRows{};
+    std::array<Vec3, maximumRows> secondRows;
     const std::span<Vec3> others(secondRows.data(), rows.size());
     if (oneModel) {
         knotwork::evaluate(first.source(), first.rate() * span.t + first.shift(), side, rows);

@@ -1,7 +1,9 @@
 #include "geometry/jet.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace knotwork {
 
@@ -13,6 +15,32 @@ double convolveDerivative(const Jet& a, const Jet& g, int k) noexcept {
     double sum = 0;
     for (int j = 1; j <= k; ++j) sum += j * a[j] * g[k - j];
     return sum;
+}
+
+/// The same for an a whose coefficients vanish beyond `reach`: those of kt + c, of which most angles
+/// are, do beyond 1.
+double convolveDerivative(const Jet& a, int reach, const Jet& g, int k) noexcept {
+    double sum = 0;
+    for (int j = 1; j <= std::min(k, reach); ++j) sum += j * a[j] * g[k - j];
+    return sum;
+}
+
+int reachOf(const Jet& a) noexcept {
+    int k = a.order();
+    while (k > 0 && a[k] == 0) --k;
+    return k;
+}
+
+// Products of the orders that curves are asked for, without loops.
+
+template <int k, int... j>
+double productTerm(const Jet& a, const Jet& b, std::integer_sequence<int, j...>) noexcept {
+    return (0.0 + ... + (a[j] * b[k - j]));
+}
+
+template <int... k>
+void multiply(const Jet& a, const Jet& b, Jet& product, std::integer_sequence<int, k...>) noexcept {
+    ((product[k] = productTerm<k>(a, b, std::make_integer_sequence<int, k + 1>())), ...);
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -140,6 +168,15 @@ Jet& Jet::operator*=(double factor) noexcept {
 
 Jet operator*(const Jet& a, const Jet& b) noexcept {
     Jet product = Jet::constant(0, std::min(a.order(), b.order()));
+    switch (product.order()) {
+        case 0: multiply(a, b, product, std::make_integer_sequence<int, 1>()); return product;
+        case 1: multiply(a, b, product, std::make_integer_sequence<int, 2>()); return product;
+        case 2: multiply(a, b, product, std::make_integer_sequence<int, 3>()); return product;
+        case 3: multiply(a, b, product, std::make_integer_sequence<int, 4>()); return product;
+        case 4: multiply(a, b, product, std::make_integer_sequence<int, 5>()); return product;
+        case 5: multiply(a, b, product, std::make_integer_sequence<int, 6>()); return product;
+        default: break;
+    }
     for (int k = 0; k <= product.order(); ++k) {
         for (int j = 0; j <= k; ++j) product[k] += a[j] * b[k - j];
     }
@@ -161,9 +198,10 @@ Jet operator/(double a, const Jet& b) noexcept { return Jet::constant(a, b.order
 SinCos sinCos(const Jet& a) noexcept {
     SinCos result{Jet::constant(std::sin(a[0]), a.order()),
                   Jet::constant(std::cos(a[0]), a.order())};
+    const int reach = reachOf(a);
     for (int k = 1; k <= a.order(); ++k) {
-        result.sin[k] = convolveDerivative(a, result.cos, k) / k;
-        result.cos[k] = -convolveDerivative(a, result.sin, k) / k;
+        result.sin[k] = convolveDerivative(a, reach, result.cos, k) / k;
+        result.cos[k] = -convolveDerivative(a, reach, result.sin, k) / k;
     }
     return result;
 }
