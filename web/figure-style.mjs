@@ -217,12 +217,36 @@ td.removal { width: 32px; }
 .small { min-width: 28px; min-height: 28px; padding: 0; }
 .small .icon { width: 16px; height: 16px; }
 .small:not(:hover) { color: var(--quiet); }
+.pager { display: flex; align-items: center; gap: 0.25rem; }
+.pager .count { min-width: 8rem; text-align: center; }
+.pose { padding-block: 0.375rem 0.5rem; border-block-end: 1px solid var(--line); }
+.pose-head { display: flex; align-items: center; justify-content: space-between; }
+.pose h4 { margin: 0; font-size: 0.8125rem; font-weight: 600; color: var(--quiet); }
+.pose .controls { gap: 0.25rem; }
+.pose .controls input { padding-inline: 0.375rem; }
 .adding { display: flex; align-items: center; gap: 0.5rem; margin-block: 0.375rem 0.25rem; }
 .adding label { flex: none; }
 .adding input { width: 5.5rem; }
 .quiet-button { min-height: 28px; padding: 0.125rem 0.75rem; border: 1px solid var(--edge);
     border-radius: 6px; background: transparent; color: var(--ink); font: inherit; cursor: pointer; white-space: nowrap; }
 .quiet-button:hover { background: var(--raised); }
+.checklist { margin: 0.25rem 0 0.5rem; padding: 0; list-style: none; }
+.checklist li { display: grid; grid-template-columns: 1.5rem 1.75rem minmax(0, 1fr); align-items: baseline; padding-block: 0.1875rem; }
+.checklist b { font-weight: 600; }
+.mark { display: grid; place-items: center; align-self: start; width: 20px; height: 20px; border-radius: 50%; color: var(--ink); border: 1px solid var(--line); }
+.mark .icon { width: 13px; height: 13px; stroke-width: 2.4; }
+.mark[data-holds="false"] { background: var(--bad-wash); color: var(--bad); border: 2px solid var(--bad); }
+.breach { grid-column: 3; font-variant-numeric: tabular-nums; color: var(--bad); font-weight: 550; }
+.graph { display: block; width: 100%; height: auto; margin-block: 0.5rem 0.25rem; fill: none; stroke-width: 2.2; stroke-linejoin: round; }
+.graph .grid { stroke: var(--line); stroke-width: 1; }
+.legend { display: flex; flex-wrap: wrap; gap: 0.125rem 1rem; margin: 0 0 0.5rem; padding: 0; list-style: none; font-size: 0.8125rem; }
+.legend li { display: flex; align-items: center; gap: 0.5rem; }
+.sample { width: 32px; height: 6px; fill: none; stroke-width: 3; }
+.trying { flex-wrap: wrap; }
+.adding.trying input { flex: 1 1 9rem; width: auto; }
+.adding select { flex: 1; }
+.pointed { display: block; margin-block-start: 0.25rem; font-size: 0.9375em; }
+.pointed mark { background: none; color: var(--bad); text-decoration: underline wavy; font-weight: 700; }
 .readout { margin: 0.5rem 0 0; display: grid; grid-template-columns: minmax(6.5rem, 2fr) minmax(0, 3fr);
     gap: 0.125rem 0.75rem; }
 .readout dt { color: var(--quiet); }

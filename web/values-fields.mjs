@@ -140,7 +140,7 @@ function makeNumber(field, around) {
     const complaint = new Complaint();
     const limits = limitsOf(field);
     const input = numberInput(around, complaint, limits, (value) => setCommand(field, around, value));
-    const slider = field.low === undefined ? null : makeSlider(field, around, complaint);
+    const slider = slides(field) ? makeSlider(field, around, complaint) : null;
     const controls = slider ? [slider, input.element] : [input.element];
     return {
         element: row(field, around, input.element, controls, complaint),
@@ -150,6 +150,13 @@ function makeNumber(field, around) {
             if (slider) slider.valueAsNumber = now.value;
         },
     };
+}
+
+const widestSlider = 1000;  // where a step of a hand would pass over everything, there is none
+
+/** @param {FieldDescription} field */
+function slides({ low, high }) {
+    return low !== undefined && high !== undefined && high - low <= widestSlider;
 }
 
 /** @param {FieldDescription} field */

@@ -4,6 +4,7 @@ import { el, icon, setText, uniqueId } from './dom.mjs';
 import { icons } from './icons.mjs';
 import { Complaint, numberInput } from './values-fields.mjs';
 import { NumberInput } from './values-number.mjs';
+import { Pager } from './values-pager.mjs';
 
 /** @typedef {import('./values-fields.mjs').FieldDescription} FieldDescription */
 /** @typedef {import('./values-fields.mjs').Surroundings} Surroundings */
@@ -46,7 +47,7 @@ function listKind(field, around) {
 }
 
 /** @type {ListKind} */
-const pointList = {
+export const pointList = {
     noun: 'point',
     columns: (list) => ['field.x', 'field.y', 'field.z'].slice(0, list[0]?.length ?? 2),
     numbers: (point) => point,
@@ -116,7 +117,7 @@ function widestMiddle(knots) {
 function poseList(object) {
     return {
         noun: 'pose',
-        columns: () => ['list.local', 'field.x', 'field.y', 'field.turn'],
+        columns: () => ['list.local', 'field.x', 'field.y', 'field.z', 'field.turn'],
         numbers: (pose) => [pose.local, ...poseNumbers(pose)],
         edit: (_, __, pose, column, value) => ({ pose: changedPose(object, pose, column, value) }),
         remove: (address, k) => ({ remove: `${address}[${k}]` }),
@@ -131,8 +132,8 @@ function poseList(object) {
 
 /** @param {any} pose */
 function poseNumbers(pose) {
-    const [x = 0, y = 0] = pose.translate ?? [];
-    return [x, y, pose.rotate?.angle ?? 0];
+    const [x = 0, y = 0, z = 0] = pose.translate ?? [];
+    return [x, y, z, pose.rotate?.angle ?? 0];
 }
 
 /**
@@ -145,14 +146,16 @@ function changedPose(object, pose, column, value) {
     const translate = [0, 1, 2].map((c) => pose.translate?.[c] ?? 0);
     const rotate = { axis: [0, 0, 1], angle: 0, ...pose.rotate };
     if (column === 0) return { ...pose, object, local: value };
-    if (column === 3) rotate.angle = value;
+    if (column === 4) rotate.angle = value;
     else translate[column - 1] = value;
     return { ...pose, object, translate, rotate };
 }
 
 const openedUpTo = 12;  // longer tables wait folded
+const pageLength = 50;  // rows that are there at once, so that the page stays quick
 
-class ListTable {
+/** A list as a table, as many rows at once as fit on a page of it. */
+export class ListTable {
     /** @type {{ inputs: import('./values-number.mjs').NumberInput[] }[]} */
     #rows = [];
     #body = el('tbody');
@@ -162,6 +165,8 @@ class ListTable {
     #list = [];
     #columns = 0;
     #suggested = NaN;
+    /** The first element that is shown. */
+    #first = 0;
 
     /**
      * @param {FieldDescription} field
@@ -178,10 +183,11 @@ class ListTable {
         this.table = el('table', { attributes: { 'aria-label': this.label } }, this.head, this.#body);
         this.adding = around.readOnly ? null : this.#makeAdding();
         const summary = el('summary', {}, el('h3', { text: this.label }), this.#count);
+        this.pager = new Pager(around.words, pageLength, (first) => this.#turnTo(first));
         this.element = el('details', {
             class: 'list',
             attributes: { open: field.value.length <= openedUpTo, 'data-path': field.path },
-        }, summary, this.table, this.#complaint.element, this.adding);
+        }, summary, this.pager.element, this.table, this.#complaint.element, this.adding);
     }
 
     /** @param {FieldDescription} field */
@@ -189,14 +195,28 @@ class ListTable {
         this.#list = field.value;
         const columns = this.kind.columns(this.#list);
         if (columns.length !== this.#columns) this.#buildHead(columns);
-        this.#resize();
-        this.#list.forEach((element, k) => {
-            const numbers = this.kind.numbers(element);
-            this.#rows[k].inputs.forEach((input, c) => input.show(numbers[c] ?? 0));
-        });
+        this.#first = this.pager.show(this.#list.length);
+        this.#showPage();
         this.table.hidden = this.#list.length === 0;
         setText(this.#count, String(this.#list.length));
         this.#suggest();
+    }
+
+    #showPage() {
+        this.#resize();
+        this.#rows.forEach(({ inputs }, r) => {
+            const numbers = this.kind.numbers(this.#list[this.#first + r]);
+            inputs.forEach((input, c) => input.show(numbers[c] ?? 0));
+        });
+    }
+
+    /** Another page has rows of its own, whose labels say their numbers. @param {number} first */
+    #turnTo(first) {
+        this.#first = first;
+        this.#rows = [];
+        this.#body.replaceChildren();
+        this.#complaint.clear(this.table);
+        this.#showPage();
     }
 
     /** @param {string[]} columns */
@@ -218,11 +238,12 @@ class ListTable {
     }
 
     #resize() {
-        while (this.#rows.length > this.#list.length) {
+        const wanted = Math.min(pageLength, this.#list.length - this.#first);
+        while (this.#rows.length > wanted) {
             this.#rows.pop();
             this.#body.lastElementChild?.remove();
         }
-        while (this.#rows.length < this.#list.length) this.#addRow(this.#rows.length);
+        while (this.#rows.length < wanted) this.#addRow(this.#first + this.#rows.length);
     }
 
     /** @param {number} k */
@@ -265,7 +286,7 @@ class ListTable {
         if (!this.#run(command, button)) return;
         queueMicrotask(() => {  // the table has fewer rows by then
             const buttons = /** @type {NodeListOf<HTMLElement>} */ (this.#body.querySelectorAll('.small'));
-            (buttons[Math.min(k, buttons.length - 1)] ?? this.element.querySelector('summary'))?.focus();
+            (buttons[Math.min(k - this.#first, buttons.length - 1)] ?? this.element.querySelector('summary'))?.focus();
         });
     }
 
@@ -283,7 +304,9 @@ class ListTable {
             attributes: { type: 'button' },
             on: {
                 click: () => {
-                    if (this.#run(append(this.address, this.#list), button)) queueMicrotask(() => this.#focusLast());
+                    if (!this.#run(append(this.address, this.#list), button)) return;
+                    this.pager.turnTo(this.#list.length);
+                    queueMicrotask(() => this.#focusLast());
                 },
             },
         });

@@ -3,8 +3,11 @@
 
 import { el, setText } from './dom.mjs';
 import { shapeSentence } from './shape.mjs';
+import { AxiomsSection } from './values-axioms.mjs';
 import { makeField } from './values-fields.mjs';
 import { makeList } from './values-lists.mjs';
+import { MeshFields, netOf, NetTable } from './values-nets.mjs';
+import { PatchPoses } from './values-poses.mjs';
 import { Readout } from './values-readout.mjs';
 import { TraceChoice } from './values-trace.mjs';
 
@@ -46,7 +49,7 @@ export class ValuesPanel {
         if (structure !== this.#structure) this.#build(objects);
         this.#structure = structure;
         const { document } = scene;
-        objects.forEach((object, k) => this.#sections[k].update(object, document.objects[k]));
+        objects.forEach((object, k) => this.#sections[k].update(object, document.objects[k], document.objects));
     }
 
     /** @param {ObjectDescription[]} objects */
@@ -80,6 +83,8 @@ class ObjectSection {
     constructor(host, object, index) {
         this.host = host;
         this.label = object.label ?? object.type;
+        /** Of what has a B-function. @type {AxiomsSection | undefined} */
+        this.axioms = undefined;
         /** @type {Map<string, import('./values-fields.mjs').FieldControl>} */
         this.controls = new Map();
         this.shape = el('p', { class: 'shape' });
@@ -97,10 +102,12 @@ class ObjectSection {
     /**
      * @param {ObjectDescription} object
      * @param {any} spec of the object in the canonical document
+     * @param {any[]} all objects of the canonical document
      */
-    update(object, spec) {
+    update(object, spec, all) {
         for (const field of object.fields) this.controls.get(field.path)?.update(field);
         setText(this.shape, shapeSentence(this.host.words, spec, this.label));
+        if (spec.bFunction) this.axioms?.update(spec, all);
         this.trace.update(spec);
         this.readout.update(spec);
     }
@@ -120,6 +127,25 @@ class ObjectSection {
     }
 
     /**
+     * @param {FieldDescription} field
+     * @param {FieldDescription[]} fields of its group
+     * @param {import('./values-fields.mjs').Surroundings} around
+     * @returns {import('./values-fields.mjs').FieldControl | null}
+     */
+    #control(field, fields, around) {
+        const net = netOf(field);
+        if (net) {
+            const rows = fields.filter((other) => netOf(other) === net);
+            const table = new NetTable(rows, around);
+            for (const { path } of rows) this.controls.set(path, table);
+            return table;
+        }
+        if (field.kind === 'mesh') return new MeshFields(field, around, this.host.kw);
+        if (field.kind === 'list' && field.path === 'poses') return new PatchPoses(field, around);
+        return makeField(field, around) ?? makeList(field, around);
+    }
+
+    /**
      * @param {string} name
      * @param {FieldDescription[]} fields
      * @param {import('./values-fields.mjs').Surroundings} around
@@ -128,13 +154,18 @@ class ObjectSection {
         const flags = el('div', { class: 'flags' });
         const rows = [];
         for (const field of fields) {
-            const control = makeField(field, around) ?? makeList(field, around);
+            if (this.controls.has(field.path)) continue;  // a row of a net
+            const control = this.#control(field, fields, around);
             if (!control) continue;
             this.controls.set(field.path, control);
             if (field.kind === 'flag') flags.append(control.element);
             else rows.push(control.element);
         }
         if (flags.childElementCount > 0) rows.push(flags);
+        if (name === 'B-function') {
+            this.axioms = new AxiomsSection(around, this.host.kw);
+            rows.push(this.axioms.element);
+        }
         if (!name) return el('div', { class: 'group' }, ...rows);
         return el('fieldset', { class: 'group' }, el('legend', { text: around.words.label(name) }), ...rows);
     }
