@@ -14,6 +14,8 @@ export const pictureKeys = [
     { does: 'help.next', keys: ['PageDown', 'PageUp'] },
     { does: 'help.move', keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'] },
     { does: 'help.move-far', keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'], with: ['Shift'] },
+    { does: 'help.turn', keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'] },
+    { does: 'help.look', keys: ['1', '3', '7', '5'] },
     { does: 'help.remove', keys: ['Delete', 'Backspace'] },
     { does: 'help.escape', keys: ['Escape'] },
     { does: 'help.zoom', keys: ['+', '=', '-'] },
@@ -33,6 +35,8 @@ export const pageKeys = [
 export const mouseGestures = [
     { how: 'help.mouse.drag', does: 'help.mouse.drag.does' },
     { how: 'help.mouse.empty', does: 'help.mouse.empty.does' },
+    { how: 'help.mouse.space', does: 'help.mouse.space.does' },
+    { how: 'help.mouse.right', does: 'help.mouse.right.does' },
     { how: 'help.mouse.wheel', does: 'help.mouse.wheel.does' },
     { how: 'help.mouse.drop', does: 'help.mouse.drop.does' },
 ];
@@ -41,4 +45,6 @@ export const mouseGestures = [
 export const touchGestures = [
     { how: 'help.touch.drag', does: 'help.touch.drag.does' },
     { how: 'help.touch.scroll', does: 'help.touch.scroll.does' },
+    { how: 'help.touch.turn', does: 'help.touch.turn.does' },
+    { how: 'help.touch.two', does: 'help.touch.two.does' },
 ];
