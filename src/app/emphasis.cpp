@@ -3,6 +3,7 @@
 #include "ui/theme.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace knotwork::app {
 
@@ -115,7 +116,8 @@ void addParameterLines(Figure& figure, const FigureRequest& request) {
     bool named = false;
     for (PaneFigure& pane : figure.panes) {
         const Pane kind = pane.plot.pane;
-        if (kind == Pane::curve || (kind == Pane::bFunction) == shown->ofCurve) continue;
+        if (kind == Pane::curve || kind == Pane::hodograph) continue;
+        if ((kind == Pane::bFunction) == shown->ofCurve) continue;
         addParameterLine(pane, shown->t, !named, coloursOf(request));
         named = true;
     }
@@ -133,6 +135,18 @@ void addStretch(PaneFigure& pane, const FigureRequest& request,
     pane.below.push_back(std::move(stretch));
 }
 
+/// The same parameter on the hodograph of the object.
+void addDerivativeDot(Figure& figure, const FigureRequest& request, const scene::Placed& placed,
+                      int object, double t) {
+    const Curve& curve = *placed.body.curve();
+    std::array<Vec3, 2> rows{};
+    evaluate(curve, t, t < domain(curve).end ? Side::right : Side::left, rows);
+    for (PaneFigure& pane : figure.panes) {
+        if (pane.plot.pane != Pane::hodograph || pane.plot.object != object) continue;
+        pane.above.push_back(dotAt(placed.placement.linear * rows[1], coloursOf(request).accent));
+    }
+}
+
 void addDot(Figure& figure, const FigureRequest& request, const std::vector<scene::Placed>& all,
             double at) {
     const PaneFigure* plot = figure.find(Pane::knots);
@@ -145,6 +159,7 @@ void addDot(Figure& figure, const FigureRequest& request, const std::vector<scen
     if (!t) return;
     figure.panes.front().above.push_back(dotAt(
         placed->placement.point(pointAt(*curve, *t)), coloursOf(request).accent));
+    addDerivativeDot(figure, request, *placed, plot->plot.object, *t);
 }
 
 }  // namespace

@@ -209,6 +209,36 @@ void addBFunction(Figure& figure, const FigureRequest& request, const Box& box,
     }
 }
 
+/// First derivatives about their origin, from where the curve is seen, x and y to one scale.
+void addHodograph(Figure& figure, const FigureRequest& request, const Box& box,
+                  const Viewpoint& from, const ui::Theme& colours) {
+    const int object = plottedObject(*request.drawing, Pane::hodograph, request.object);
+    const Orientation orientation = orientationOf(from);
+    drawing::Bounds whole;
+    drawing::Bounds seen;
+    for (const Shape* shape : shapesOf(*request.drawing, Pane::hodograph, object)) {
+        for (std::size_t i = 0; i < shape->positions.size() / 3; ++i) {
+            whole.add(positionOf(*shape, i));
+            seen.add(orientation * positionOf(*shape, i));
+        }
+    }
+    ui::Plot plot;
+    plot.pane = Pane::hodograph;
+    plot.box = box;
+    plot.area = inside(box, {ui::plotMargins.left, ui::plotMargins.top, ui::plotMargins.right, 28});
+    const Aim aim = fitAim(seen, plot.area, from);
+    plot.map = mapOf(aim, plot.area);
+    const bool plane = from == fromAbove && !request.spatial;
+    if (plane) ui::addPlaneAxes(plot, colours);
+    plot.labels.push_back({"C\u2032", {plot.area.x + 8, plot.area.y + 5}, ui::Align::left,
+                           ui::Baseline::top, 13, true, colours.text});
+    addPlot(figure, std::move(plot), object, request);
+    PaneFigure& pane = figure.panes.back();
+    pane.sight = sightOf(aim, pane.plot.area);
+    pane.middle = aim.centre;
+    if (!plane) pane.reach = reachOf(whole, aim.centre);
+}
+
 }  // namespace
 
 const PaneFigure* Figure::paneAt(const Pixel& p) const noexcept {
@@ -227,7 +257,8 @@ const PaneFigure* Figure::find(Pane pane) const noexcept {
 
 drawing::Panes panesAsked(const scene::State& state) noexcept {
     const auto asked = [&](Pane pane) { return asksFor(state, drawing::paneName(pane)); };
-    return {true, asked(Pane::basis), asked(Pane::knots), asked(Pane::bFunction), false};
+    return {true, asked(Pane::basis), asked(Pane::knots), asked(Pane::bFunction),
+            asked(Pane::hodograph)};
 }
 
 ui::FigureLayout layoutOf(const FigureRequest& request) {
@@ -239,7 +270,8 @@ ui::FigureLayout layoutOf(const FigureRequest& request) {
     wanted.basis = has(Pane::basis);
     wanted.knots = has(Pane::knots);
     wanted.bFunction = has(Pane::bFunction);
-    const bool plots = wanted.basis || wanted.knots || wanted.bFunction;
+    wanted.hodograph = has(Pane::hodograph);
+    const bool plots = wanted.basis || wanted.knots || wanted.bFunction || wanted.hodograph;
     wanted.curve = !plots || asksFor(*request.state, "curve");
     wanted.curveAspect = request.curveAspect;
     if (wanted.knots) wanted.knotRows = ui::tallestPile(parameterPlots(request).knots);
@@ -254,6 +286,9 @@ Figure composeFigure(const FigureRequest& request, const ui::FigureLayout& layou
     if (layout.curve) addCurvePane(figure, request, *layout.curve, camera, colours);
     addParameterPanes(figure, request, layout, colours);
     if (layout.bFunction) addBFunction(figure, request, *layout.bFunction, colours);
+    if (layout.hodograph) {
+        addHodograph(figure, request, *layout.hodograph, camera.aim().from, colours);
+    }
     addEmphasis(figure, request);
     return figure;
 }

@@ -150,7 +150,8 @@ std::optional<BasisHit> basisAt(const Figure& figure, const Pixel& p, double rad
 std::optional<double> parameterAt(const PaneFigure& pane, const Pixel& p) noexcept {
     const ui::Plot& plot = pane.plot;
     constexpr double slack = 6;  // the ends of an axis can be reached without aiming
-    if (plot.pane == Pane::curve || p.x < plot.area.x - slack || p.x > plot.area.right() + slack) {
+    const bool ofPlace = plot.pane == Pane::curve || plot.pane == Pane::hodograph;
+    if (ofPlace || p.x < plot.area.x - slack || p.x > plot.area.right() + slack) {
         return std::nullopt;
     }
     return plot.map.unitX(std::clamp(p.x, plot.area.x, plot.area.right()));

@@ -10,6 +10,8 @@ constexpr double leastBasis = 90;
 constexpr double leastBFunction = 150;
 constexpr double leastCurve = 150;
 constexpr double leastSideBySide = 600;  // width of a figure
+constexpr double leastHodograph = 130;   // both ways
+constexpr double hodographShare = 0.4;   // of the longer side of the curve's box
 
 double knotHeight(const WantedPanes& wanted) noexcept {
     return 52 + 13.0 * std::clamp(wanted.knotRows, 1, 5);
@@ -81,9 +83,38 @@ FigureLayout stacked(const Box& figure, WantedPanes wanted) noexcept {
     return layout;
 }
 
+/// The curve's box parted with the hodograph, where it is large enough for both.
+FigureLayout withHodograph(FigureLayout layout, bool curve) noexcept {
+    if (!layout.curve) return layout;
+    Box& box = *layout.curve;
+    if (!curve) {
+        layout.hodograph = box;
+        layout.curve.reset();
+        return layout;
+    }
+    const bool beside = box.width >= box.height;
+    const double across = beside ? box.height : box.width;
+    const double share = std::min(hodographShare * (beside ? box.width : box.height), across);
+    if (share < leastHodograph || across < leastHodograph) return layout;
+    if (beside) {
+        box.width -= share;
+        layout.hodograph = Box{box.right(), box.y, share, box.height};
+    } else {
+        box.height -= share;
+        layout.hodograph = Box{box.x, box.bottom(), box.width, share};
+    }
+    return layout;
+}
+
 }  // namespace
 
 FigureLayout layoutFigure(const Box& figure, const WantedPanes& wanted) noexcept {
+    if (wanted.hodograph) {
+        WantedPanes others = wanted;
+        others.hodograph = false;
+        others.curve = true;
+        return withHodograph(layoutFigure(figure, others), wanted.curve);
+    }
     if (!wanted.curve && plotsWanted(wanted)) {
         FigureLayout layout;
         stack(layout, figure, reduced(wanted, figure.height));

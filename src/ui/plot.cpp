@@ -102,6 +102,16 @@ void addPlaneGrid(Plot& plot, const Theme& colours) {
     plot.under.push_back(std::move(axis));
 }
 
+void addPlaneAxes(Plot& plot, const Theme& colours) {
+    addPlaneGrid(plot, colours);
+    const Interval x{plot.map.unitX(plot.area.x), plot.map.unitX(plot.area.right())};
+    const Interval y{plot.map.unitY(plot.area.bottom()), plot.map.unitY(plot.area.y)};
+    if (!(x.length() > 0) || !(y.length() > 0)) return;
+    const double step = planeGridStep(plot.map.scaleX);
+    nameTicksX(plot, ticksEvery(x, step), colours);
+    nameTicksY(plot, ticksEvery(y, step), colours);
+}
+
 Box boxOf(const Label& label) noexcept {
     constexpr double widthOfLetter = 0.6;  // of the size, in most fonts and a little generous
     const double width = widthOfLetter * label.size * static_cast<double>(label.text.size());

@@ -93,5 +93,7 @@ void nameTicksY(Plot& plot, const std::vector<Tick>& ticks, const Theme& colours
 [[nodiscard]] double planeGridStep(double pixelsPerUnit) noexcept;
 /// The plane of a curve: a square grid whose step follows the zoom, the axes a little stronger.
 void addPlaneGrid(Plot& plot, const Theme& colours);
+/// The same with the names of its lines below and beside it.
+void addPlaneAxes(Plot& plot, const Theme& colours);
 
 }  // namespace knotwork::ui

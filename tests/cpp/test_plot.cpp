@@ -103,6 +103,25 @@ TEST(Layout, FillsTheFigureWithWhatThereIs) {
     EXPECT_EQ(*only.bFunction, figure);
 }
 
+TEST(Layout, PartsTheBoxOfTheCurveWithTheHodographWhereThereIsRoom) {
+    WantedPanes wanted;
+    wanted.hodograph = true;
+    const FigureLayout wide = layoutFigure({0, 0, 900, 500}, wanted);
+    ASSERT_TRUE(wide.curve && wide.hodograph);
+    EXPECT_EQ(wide.curve->right(), wide.hodograph->x);
+    EXPECT_NEAR(wide.curve->width + wide.hodograph->width, 900, 1e-9);
+    EXPECT_GT(wide.curve->width, wide.hodograph->width);
+    const FigureLayout tall = layoutFigure({0, 0, 390, 700}, wanted);
+    ASSERT_TRUE(tall.curve && tall.hodograph);
+    EXPECT_EQ(tall.curve->bottom(), tall.hodograph->y);
+    EXPECT_FALSE(layoutFigure({0, 0, 300, 120}, wanted).hodograph);
+    wanted.curve = false;
+    EXPECT_EQ(*layoutFigure({0, 0, 900, 500}, wanted).hodograph, (Box{0, 0, 900, 500}));
+    wanted.basis = wanted.knots = true;
+    const FigureLayout withPlots = layoutFigure({0, 0, 900, 700}, wanted);
+    EXPECT_TRUE(!withPlots.curve && withPlots.hodograph && withPlots.basis && withPlots.knots);
+}
+
 TEST(KnotLine, PilesEqualKnotsUp) {
     EXPECT_EQ(pileRows({0, 0, 0, 1, 2, 2}), (std::vector<int>{0, 1, 2, 0, 0, 1}));
     EXPECT_EQ(tallestPile({0, 0, 0, 1, 2, 2}), 3);

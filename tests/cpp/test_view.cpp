@@ -214,6 +214,44 @@ TEST(Hover, FollowsWhatMovesAwayFromARestingPointer) {
     EXPECT_EQ(play.view.cursor(), "default");
 }
 
+TEST(Hodograph, IsAPaneWithOneScaleAndTheDerivativeAtTheParameter) {
+    const auto document = [](const char* show) {
+        return std::string(R"({"knotwork":1,"view":{"panes":["curve","knots","hodograph"]},"objects":[
+            {"type":"bspline-curve","degree":2,"points":[[0,0],[1,3],[4,1],[5,5]],"show":)") + show + "}]}";
+    };
+    Playground without(document("{}").c_str());
+    EXPECT_EQ(without.view.figure()->find(Pane::hodograph), nullptr);
+    Playground playground(document(R"({"hodograph":true})").c_str());
+    const PaneFigure* pane = playground.view.figure()->find(Pane::hodograph);
+    ASSERT_NE(pane, nullptr);
+    EXPECT_EQ(pane->plot.map.scaleX, pane->plot.map.scaleY);
+    EXPECT_EQ(pane->reach, 0);
+    for (const Painted& painted : pane->shapes) {
+        for (std::size_t i = 0; i < painted.shape->positions.size() / 3; ++i) {
+            EXPECT_TRUE(pane->plot.area.contains(pane->sight.toPixels(positionOf(*painted.shape, i))));
+        }
+    }
+    EXPECT_TRUE(pane->above.empty());
+    const Pixel knot = playground.pixelOf("objects[0].knots[3]");
+    playground.event("move", knot, 0);
+    pane = playground.view.figure()->find(Pane::hodograph);
+    ASSERT_EQ(pane->above.size(), 1U);
+    EXPECT_NEAR(pane->above[0].positions[0], 3, 1e-12);  // 2 · (P2 − P1) / 2
+    EXPECT_NEAR(pane->above[0].positions[1], -2, 1e-12);
+    EXPECT_FALSE(parameterAt(*pane, pane->plot.area.centre()));
+}
+
+TEST(Hodograph, OfACurveInSpaceIsSeenFromWhereTheCurveIsSeen) {
+    Playground playground(R"({"knotwork":1,"view":{"mode":"3d","panes":["curve","hodograph"],
+        "camera":{"azimuth":0.4,"elevation":0.3}},"objects":[
+            {"type":"parametric-curve","name":"trefoil","show":{"hodograph":true}}]})");
+    const Figure* figure = playground.view.figure();
+    const PaneFigure* pane = figure->find(Pane::hodograph);
+    ASSERT_NE(pane, nullptr);
+    EXPECT_EQ(pane->sight.orientation(), figure->find(Pane::curve)->sight.orientation());
+    EXPECT_GT(pane->reach, 0);
+}
+
 TEST(Handles, LeaveAPlayingPictureAloneUntilSomeonePoints) {
     Playground play(blend);
     const auto handles = [&] {
