@@ -72,6 +72,11 @@ export class FigureControls {
         return this.#trace?.update(document.objects, selected) ?? '';
     }
 
+    /** Opens the fields of the selected object. @param {number} selected −1 for none */
+    reveal(selected) {
+        this.#panel?.reveal(selected);
+    }
+
     /** @param {number} by */
     step(by) {
         this.#trace?.step(by, 'api');

@@ -103,8 +103,13 @@ const toolbar = `
 .button:hover { background: var(--raised); }
 .button[aria-disabled="true"] { color: var(--edge); cursor: default; background: transparent; }
 .button:is([aria-pressed="true"], [aria-expanded="true"]) { background: var(--wash); color: var(--accent); }
-.button .caption { padding-inline-end: 0.375rem; }
+.button .caption { padding-inline-end: 0.375rem; white-space: nowrap; }
 .button.captioned { padding-inline: 0.5rem 0.25rem; }
+.button.roomy .caption { display: none; }
+@container (min-width: 68rem) {
+    .button.roomy .caption { display: inline; }
+    .button.roomy:has(.caption) { padding-inline: 0.5rem 0.25rem; }
+}
 .icon { width: 20px; height: 20px; flex: none; fill: none; stroke: currentColor; stroke-width: 1.6;
     stroke-linecap: round; stroke-linejoin: round; }
 :is(button, input, select, summary):focus-visible {
@@ -159,6 +164,13 @@ const trace = `
 const values = `
 .values { grid-area: values; position: relative; border-block-start: 1px solid var(--line); font-size: 0.875rem; }
 .values-inner { padding: 0.25rem 1.125rem 1.5rem; }
+.object + .object { border-block-start: 1px solid var(--line); }
+.object > summary { display: flex; align-items: center; gap: 0.5rem; min-height: 44px; cursor: pointer; list-style: none; border-radius: 6px; }
+.object > summary::-webkit-details-marker { display: none; }
+.object > summary::before { content: ""; width: 6px; height: 6px; margin-inline: 3px; border: solid var(--quiet);
+    border-width: 0 1.5px 1.5px 0; transform: rotate(-45deg); }
+.object[open] > summary::before { transform: rotate(45deg); }
+.object > summary h2 { margin: 0; }
 .values h2 { margin: 1.125rem 0 0.25rem; font-size: 1rem; font-weight: 650; letter-spacing: -0.005em; }
 .values h3 { margin: 0; font-size: 0.875rem; font-weight: 600; }
 .values .shape { margin: 0 0 0.5rem; color: var(--quiet); }

@@ -42,6 +42,9 @@ const sets = {
 
 const phaseSteps = 1000;
 
+/** Where the caption is shorter than the label. @type {Record<string, string>} */
+const captions = { expert: 'expert.short', fit: 'fit.short' };
+
 export class FigureToolbar {
     /** @type {Map<string, HTMLButtonElement>} */
     #buttons = new Map();
@@ -89,11 +92,11 @@ export class FigureToolbar {
     #add(name, act) {
         const label = this.words.text(name);
         const button = el('button', {
-            class: name === 'values' ? 'button captioned' : 'button',
+            class: name === 'values' ? 'button captioned' : 'button roomy',
             attributes: { type: 'button', title: label, 'aria-label': label },
             on: { click: act },
         }, icon(icons[name]));
-        if (name === 'values') button.append(el('span', { class: 'caption', text: label }));
+        if (name !== 'play') button.append(el('span', { class: 'caption', text: this.words.text(captions[name] ?? name) }));
         this.#buttons.set(name, button);
         return button;
     }

@@ -284,6 +284,7 @@ export class Figure {
     /** After input that the application has seen. */
     #acted() {
         this.#tellEvents();
+        this.controls.reveal(this.selection?.object ?? -1);
         this.#request();
     }
 

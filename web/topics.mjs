@@ -8,8 +8,8 @@ const topics = [
         'factor-matrices', 'through-points', 'fit']],
     ['b-functions', ['b-functions', 'b-function-axioms']],
     ['blending', ['blending-curve', 'blending-compare', 'bspline-model', 'blending-subdivision']],
-    ['subdivision', ['lane-riesenfeld', 'subdivision-surfaces']],
-    ['surfaces', ['blending-surface']],
+    ['subdivision', ['lane-riesenfeld', 'subdivision-stencils', 'subdivision-surfaces']],
+    ['surfaces', ['blending-cylinder', 'blending-surface']],
 ];
 
 /**

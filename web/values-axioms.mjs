@@ -52,6 +52,7 @@ export class AxiomsSection {
 
     /** A folded list shows only how many hold. */
     #show() {
+        if (!this.#object) return;  // its object is folded and has told nothing yet
         const functions = [this.#object.bFunction].flat();
         const verdicts = functions.map((spec) => this.kw.axioms(spec));
         const all = verdicts.flat();

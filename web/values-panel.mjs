@@ -52,9 +52,22 @@ export class ValuesPanel {
         objects.forEach((object, k) => this.#sections[k].update(object, document.objects[k], document.objects));
     }
 
+    /** Opens the fields of the object that has been selected. @param {number} index */
+    reveal(index) {
+        if (index === this.#revealed) return;
+        this.#revealed = index;
+        this.#sections[index]?.open();
+    }
+
+    #revealed = -1;
+
     /** @param {ObjectDescription[]} objects */
     #build(objects) {
-        this.#sections = objects.map((object, k) => new ObjectSection(this.host, object, k));
+        const open = new Set(this.#sections.filter(({ isOpen }) => isOpen).map(({ id }) => id));
+        const alone = objects.length === 1;
+        this.#sections = objects.map((object, k) => new ObjectSection(this.host, object, k, alone));
+        const kept = this.#sections.filter(({ id }) => open.has(id));
+        for (const section of kept.length > 0 ? kept : this.#sections.slice(0, 1)) section.open();
         const sections = this.#sections.map((section) => section.element);
         this.inner.replaceChildren(...sections);
         if (objects.length === 0) this.inner.append(el('p', { text: this.host.words.text('values.none') }));
@@ -79,9 +92,13 @@ class ObjectSection {
      * @param {PanelHost} host
      * @param {ObjectDescription} object
      * @param {number} index among the scene's objects
+     * @param {boolean} alone
      */
-    constructor(host, object, index) {
+    constructor(host, object, index, alone) {
         this.host = host;
+        this.id = object.object;
+        /** What was told last, for a section that is opened later. @type {[ObjectDescription, any, any[]] | undefined} */
+        this.told = undefined;
         this.label = object.label ?? object.type;
         /** Of what has a B-function. @type {AxiomsSection | undefined} */
         this.axioms = undefined;
@@ -95,8 +112,9 @@ class ObjectSection {
         };
         this.trace = new TraceChoice(around);
         const title = el('h2', { text: object.object });
-        this.element = el('div', {}, title, this.shape, this.trace.element, ...this.#groups(object, around),
-            this.readout.element);
+        const content = [this.shape, this.trace.element, ...this.#groups(object, around), this.readout.element];
+        this.element = alone ? el('div', {}, title, ...content) : el('details', { class: 'object', on: { toggle: () => this.#show() } },
+            el('summary', {}, title), ...content);
     }
 
     /**
@@ -105,6 +123,21 @@ class ObjectSection {
      * @param {any[]} all objects of the canonical document
      */
     update(object, spec, all) {
+        this.told = [object, spec, all];
+        if (this.isOpen) this.#show();
+    }
+
+    get isOpen() {
+        return !(this.element instanceof HTMLDetailsElement) || this.element.open;
+    }
+
+    open() {
+        if (this.element instanceof HTMLDetailsElement) this.element.open = true;
+    }
+
+    #show() {
+        if (!this.told || !this.isOpen) return;
+        const [object, spec, all] = this.told;
         for (const field of object.fields) this.controls.get(field.path)?.update(field);
         setText(this.shape, shapeSentence(this.host.words, spec, this.label));
         if (spec.bFunction) this.axioms?.update(spec, all);

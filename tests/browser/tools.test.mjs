@@ -66,7 +66,10 @@ describe('the gallery', { timeout: 300_000 }, () => {
         await page.getByRole('button', { name: 'Previous scene' }).click();
         await titled(page, 'Butterfly');
         await page.getByRole('button', { name: 'Previous scene' }).click();
-        await titled(page, 'A cylinder that bulges');
+        await page.waitForFunction(() => !['', '#butterfly'].includes(location.hash) && document.title.length > 10);
+        const last = await page.evaluate(() => location.hash);
+        await page.getByRole('button', { name: 'Scenes' }).click();
+        assert.equal(await page.locator('.gallery a').last().evaluate((link) => link.hash), last);
         await context.close();
     });
 });

@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { createRequire } from 'node:module';
 import { describe, it } from 'node:test';
 
-import { assertSilent, documentOf, figureReady, openPage, settle, useBrowser } from './support.mjs';
+import { assertSilent, documentOf, figureReady, handlesOf, openPage, settle, useBrowser } from './support.mjs';
 
 const running = useBrowser();
 const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -112,7 +112,7 @@ describe('the values panel', { timeout: 300_000 }, () => {
             for (const { id } of kw.scenes) {
                 await figure.show(id);
                 figure.pause();
-                const sections = [...root.querySelectorAll('.values-inner > div')];
+                const sections = [...root.querySelectorAll('.values-inner > *')];
                 const { schema } = figure.scene;
                 schema.forEach(({ object, fields }, k) => {
                     const shownPaths = new Set([...sections[k].querySelectorAll('[data-path]')].map((e) => e.dataset.path));
@@ -131,6 +131,24 @@ describe('the values panel', { timeout: 300_000 }, () => {
         assert.deepEqual(found, []);
         await assertSilent(shown);
         await shown.context.close();
+    });
+
+    it('opens the fields of the object that is selected, and leaves the others folded', async () => {
+        const { page, context } = await opened('blending-compare');
+        const open = () => page.evaluate(() => [...document.querySelector('knotwork-figure').shadowRoot
+            .querySelectorAll('.object')].map((section) => section.open));
+        assert.deepEqual(await open(), [true, false]);
+        assert.equal(await page.getByRole('combobox', { name: 'Family' }).count(), 1);
+        await page.getByText('expo', { exact: true }).click();
+        await page.getByRole('spinbutton', { name: 'β, steepness' }).waitFor();
+        assert.deepEqual(await open(), [true, true]);
+        assert.equal(await page.getByRole('spinbutton', { name: 'β, steepness' }).inputValue(), '12');
+        await page.getByText('expo', { exact: true }).click();
+        const [handle] = (await handlesOf(page, { to: [0.6, 1] })).filter(({ cursor }) => cursor === 'grab');
+        await page.mouse.click(handle.x, handle.y);
+        await page.waitForFunction(() => document.querySelector('knotwork-figure').selection?.object === 1);
+        assert.deepEqual(await open(), [true, true]);
+        await context.close();
     });
 
     it('shows long lists page by page', async () => {
