@@ -49,6 +49,18 @@ private:
     std::span<const std::uint8_t> rest_;
 };
 
+/// Whether a map comes next whose fields are all taken: `take` is given the name of each and reads
+/// its value.
+template <class Take>
+[[nodiscard]] bool takeFields(CborCursor& cursor, Take take) {
+    if (cursor.next().kind != CborItem::Kind::map) return false;
+    for (;;) {
+        const CborItem key = cursor.next();
+        if (key.kind == CborItem::Kind::close) return true;
+        if (key.kind != CborItem::Kind::text || !take(key.text())) return false;
+    }
+}
+
 /// Flat triples, or points of one dimension; false for any other list, and for more than `most`.
 [[nodiscard]] bool readPoints(const CborItem& item, std::size_t most, std::vector<Vec3>& points);
 

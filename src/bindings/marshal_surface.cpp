@@ -90,12 +90,8 @@ bool readField(CborCursor& cursor, std::string_view key, Parts& parts) {
 }
 
 bool readParts(CborCursor& cursor, Parts& parts) {
-    if (cursor.next().kind != Kind::map) return false;
-    for (;;) {
-        const CborItem key = cursor.next();
-        if (key.kind == Kind::close) return cursor.finished() && parts.isBspline;
-        if (key.kind != Kind::text || !readField(cursor, key.text(), parts)) return false;
-    }
+    const auto take = [&](std::string_view key) { return readField(cursor, key, parts); };
+    return takeFields(cursor, take) && cursor.finished() && parts.isBspline;
 }
 
 std::optional<KnotVector> knotsAlong(Parts& parts, std::size_t direction, std::size_t count) {
