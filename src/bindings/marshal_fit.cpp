@@ -2,12 +2,12 @@
 
 #include "bindings/marshal.hpp"
 #include "bindings/marshal_lists.hpp"
+#include "geometry/named.hpp"
 #include "scene/fields.hpp"
 #include "scene/fit_fields.hpp"
 #include "scene/fit_specs.hpp"
 #include "scene/form_names.hpp"
 #include "scene/json_values.hpp"
-#include "scene/named.hpp"
 #include "scene/validation.hpp"
 
 #include <algorithm>
@@ -105,27 +105,16 @@ bool take(std::string_view key, const CborItem& item, FitInput& input) {
     return takeOption(key, item, request.options);
 }
 
-/// Whether the bytes are a map whose fields are all taken.
-template <class Take>
-bool takeFields(std::span<const std::uint8_t> bytes, Take takeField) {
-    CborCursor cursor(bytes);
-    if (cursor.next().kind != Kind::map) return false;
-    for (;;) {
-        const CborItem key = cursor.next();
-        if (key.kind == Kind::close) return true;
-        if (key.kind != Kind::text || !takeField(key.text(), cursor.next())) return false;
-    }
-}
-
 /// A request without anything unusual, whose fields are all in the table; else nothing.
 std::optional<FitInput> readPlain(std::span<const std::uint8_t> bytes,
                                   std::span<const Field> table) {
     FitInput input;
     auto missing = std::count_if(table.begin(), table.end(),
                                  [](const Field& field) { return field.required; });
-    const bool taken = takeFields(bytes, [&](std::string_view key, const CborItem& item) {
-        const Field* field = scene::findNamed(table, &Field::name, key);
-        if (field == nullptr || !take(key, item, input)) return false;
+    CborCursor cursor(bytes);
+    const bool taken = takeFields(cursor, [&](std::string_view key) {
+        const Field* field = findNamed(table, &Field::name, key);
+        if (field == nullptr || !take(key, cursor.next(), input)) return false;
         if (field->required) --missing;
         return true;
     });
@@ -142,7 +131,9 @@ std::optional<SphereMethod> methodNamed(std::string_view name) {
 std::optional<SphereInput> readPlainSphere(std::span<const std::uint8_t> bytes) {
     SphereInput input;
     bool points = false;
-    const bool taken = takeFields(bytes, [&](std::string_view key, const CborItem& item) {
+    CborCursor cursor(bytes);
+    const bool taken = takeFields(cursor, [&](std::string_view key) {
+        const CborItem item = cursor.next();
         if (key == "points") return points = takePoints(item, input.points);
         const auto method = item.kind == Kind::text ? methodNamed(item.text()) : std::nullopt;
         if (method) input.method = *method;

@@ -1,6 +1,6 @@
 #include "bindings/queries.hpp"
 
-#include "scene/named.hpp"
+#include "geometry/named.hpp"
 
 #include <array>
 
@@ -22,7 +22,7 @@ template <class Query, std::size_t N>
 const Query* findIn(const std::array<std::span<const Query>, N>& topics,
                     std::string_view name) noexcept {
     for (const std::span<const Query> topic : topics) {
-        if (const Query* found = scene::findNamed(topic, &Query::name, name)) return found;
+        if (const Query* found = findNamed(topic, &Query::name, name)) return found;
     }
     return nullptr;
 }

@@ -2,6 +2,7 @@
 
 #include "geometry/formula_program.hpp"
 #include "geometry/formula_tokens.hpp"
+#include "geometry/named.hpp"
 
 #include <algorithm>
 #include <array>
@@ -32,9 +33,7 @@ constexpr std::array functions{
     NamedOp{"abs", Op::abs}};
 
 const NamedOp* findFunction(std::string_view name) noexcept {
-    const auto found = std::find_if(functions.begin(), functions.end(),
-                                    [&](const NamedOp& f) { return f.name == name; });
-    return found == functions.end() ? nullptr : &*found;
+    return findNamed(functions, &NamedOp::name, name);
 }
 
 constexpr std::array otherNames{NamedOp{"ln", Op::log}, NamedOp{"arcsin", Op::asin},

@@ -2,6 +2,7 @@
 // fields of the scene, the list that programs see, and the panels.
 #pragma once
 
+#include "geometry/named.hpp"
 #include "geometry/parameter.hpp"
 
 #include <array>
@@ -148,10 +149,7 @@ parametricCurveModels() noexcept {
 /// The description with this name, or nullptr.
 [[nodiscard]] constexpr const ParametricModelDescription* findParametricModel(
     std::string_view name) noexcept {
-    for (const ParametricModelDescription& model : parametricCurveModels()) {
-        if (model.name == name) return &model;
-    }
-    return nullptr;
+    return findNamed(parametricCurveModels(), &ParametricModelDescription::name, name);
 }
 
 }  // namespace knotwork

@@ -2,6 +2,7 @@
 // fields of the scene and the list that programs see.
 #pragma once
 
+#include "geometry/named.hpp"
 #include "geometry/parameter.hpp"
 
 #include <array>
@@ -140,10 +141,7 @@ inline constexpr std::array<SurfaceModelDescription, 9> models{{
 /// The description with this name, or nullptr.
 [[nodiscard]] constexpr const SurfaceModelDescription* findSurfaceModel(
     std::string_view name) noexcept {
-    for (const SurfaceModelDescription& model : surfaceModels()) {
-        if (model.name == name) return &model;
-    }
-    return nullptr;
+    return findNamed(surfaceModels(), &SurfaceModelDescription::name, name);
 }
 
 }  // namespace knotwork

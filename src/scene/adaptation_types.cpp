@@ -1,8 +1,8 @@
 // Objects that become objects of another type.
+#include "geometry/named.hpp"
 #include "geometry/uniform_parameters.hpp"
 #include "scene/adaptation_parts.hpp"
 #include "scene/json_values.hpp"
-#include "scene/named.hpp"
 #include "scene/specs.hpp"
 
 #include <algorithm>

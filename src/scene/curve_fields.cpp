@@ -1,8 +1,8 @@
 // The tables of curves, and of the local curves and poses of blending curves.
 #include "geometry/curve_subdivision.hpp"
 #include "geometry/knot_vector.hpp"
+#include "geometry/named.hpp"
 #include "scene/fields.hpp"
-#include "scene/named.hpp"
 #include "scene/rotation_fields.hpp"
 
 #include <array>

@@ -1,6 +1,6 @@
 // The tables of effects.
+#include "geometry/named.hpp"
 #include "scene/fields.hpp"
-#include "scene/named.hpp"
 #include "scene/rotation_fields.hpp"
 
 #include <array>

@@ -1,10 +1,10 @@
 #include "scene/object_builders.hpp"
 
+#include "geometry/named.hpp"
 #include "scene/fit_specs.hpp"
 #include "scene/json_values.hpp"
 #include "scene/mesh_specs.hpp"
 #include "scene/mesh_stencils.hpp"
-#include "scene/named.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/surface_builders.hpp"
 #include "scene/validation.hpp"

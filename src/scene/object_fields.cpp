@@ -1,8 +1,8 @@
 // The tables of what a scene has besides curves and surfaces, and of what all its objects have.
 #include "geometry/mesh_subdivision.hpp"
+#include "geometry/named.hpp"
 #include "scene/fields.hpp"
 #include "scene/fit_fields.hpp"
-#include "scene/named.hpp"
 
 #include <algorithm>
 #include <array>

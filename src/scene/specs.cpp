@@ -1,6 +1,6 @@
 #include "scene/specs.hpp"
 
-#include "scene/named.hpp"
+#include "geometry/named.hpp"
 #include "scene/parameter_fields.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/validation.hpp"

@@ -2,8 +2,8 @@
 
 #include "geometry/knot_spacing.hpp"
 #include "geometry/local_cuts.hpp"
+#include "geometry/named.hpp"
 #include "scene/json_values.hpp"
-#include "scene/named.hpp"
 
 #include <algorithm>
 #include <array>

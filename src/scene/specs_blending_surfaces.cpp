@@ -1,7 +1,7 @@
 // The builder of blending surfaces, and the way back.
+#include "geometry/named.hpp"
 #include "geometry/surface.hpp"
 #include "scene/json_values.hpp"
-#include "scene/named.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/surface_builders.hpp"
 #include "scene/surface_specs.hpp"

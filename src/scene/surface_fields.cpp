@@ -1,7 +1,7 @@
 // The tables of surfaces.
+#include "geometry/named.hpp"
 #include "geometry/parametric_surface_descriptions.hpp"
 #include "scene/fields.hpp"
-#include "scene/named.hpp"
 #include "scene/parameter_fields.hpp"
 #include "scene/rotation_fields.hpp"
 

@@ -1,7 +1,7 @@
 #include "scene/surface_specs.hpp"
 
+#include "geometry/named.hpp"
 #include "scene/json_values.hpp"
-#include "scene/named.hpp"
 #include "scene/parameter_fields.hpp"
 #include "scene/spec_builders.hpp"
 #include "scene/surface_builders.hpp"

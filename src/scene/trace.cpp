@@ -1,8 +1,8 @@
 #include "scene/trace.hpp"
 
+#include "geometry/named.hpp"
 #include "scene/json_values.hpp"
 #include "scene/mesh_specs.hpp"
-#include "scene/named.hpp"
 #include "scene/specs.hpp"
 #include "scene/surface_specs.hpp"
 #include "scene/trace_algorithms.hpp"

@@ -1,6 +1,6 @@
 #include "scene/validation.hpp"
 
-#include "scene/named.hpp"
+#include "geometry/named.hpp"
 #include "scene/validation_values.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace knotwork::scene {
+namespace knotwork {
 
 /// The first entry of a table that has this name in its member `key`, or nothing.
 template <class Table, class Entry>
@@ -15,4 +15,4 @@ template <class Table, class Entry>
     return nullptr;
 }
 
-}  // namespace knotwork::scene
+}  // namespace knotwork
