@@ -50,14 +50,14 @@ std::vector<std::uint32_t> verticesOf(const Mesh& mesh, MeshElement element, std
 struct Surroundings {
     std::vector<std::uint32_t> vertices;  ///< their numbers in the whole mesh, ascending
     std::vector<std::uint32_t> faces;     ///< likewise
-    std::vector<std::uint32_t> inner;     ///< vertices all of whose faces are here, ascending
+    std::vector<std::uint32_t> inner;     ///< vertices of the element, all of whose faces are here
 
     [[nodiscard]] std::uint32_t number(std::uint32_t vertex) const noexcept {
         const auto at = std::lower_bound(vertices.begin(), vertices.end(), vertex);
         return static_cast<std::uint32_t>(at - vertices.begin());
     }
     [[nodiscard]] bool isInner(std::uint32_t vertex) const noexcept {
-        return std::binary_search(inner.begin(), inner.end(), vertex);
+        return std::find(inner.begin(), inner.end(), vertex) != inner.end();
     }
 };
 
@@ -73,29 +73,21 @@ std::vector<std::uint32_t> facesAt(const Mesh& mesh, const std::vector<bool>& wa
     return found;
 }
 
-std::vector<std::uint32_t> listed(const std::vector<bool>& flags) {
-    std::vector<std::uint32_t> list;
-    for (std::size_t i = 0; i < flags.size(); ++i) {
-        if (flags[i]) list.push_back(static_cast<std::uint32_t>(i));
-    }
-    return list;
-}
-
-/// The faces around the element and those around them: the rules look no farther, not even those of
-/// Butterfly, which ask for the valences of an edge's ends and for boundaries next to them.
-Surroundings around(const Mesh& mesh, const std::vector<std::uint32_t>& vertices) {
+/// The faces at the element's vertices: the rules look no farther, not even those of Butterfly, which
+/// ask for the valences of an edge's ends and for boundaries next to them.
+Surroundings around(const Mesh& mesh, std::vector<std::uint32_t> vertices) {
     std::vector<bool> wanted(mesh.points().size(), false);
     for (const std::uint32_t v : vertices) wanted[v] = true;
-    Surroundings surroundings;
-    for (int ring = 0; ring < 2; ++ring) {
-        surroundings.inner = listed(wanted);
-        surroundings.faces = facesAt(mesh, wanted);
-        for (const std::uint32_t f : surroundings.faces) {
-            for (const std::uint32_t v : mesh.faces()[f]) wanted[v] = true;
-        }
+    Surroundings part;
+    part.inner = std::move(vertices);
+    part.faces = facesAt(mesh, wanted);
+    for (const std::uint32_t f : part.faces) {
+        for (const std::uint32_t v : mesh.faces()[f]) wanted[v] = true;
     }
-    surroundings.vertices = listed(wanted);
-    return surroundings;
+    for (std::size_t v = 0; v < wanted.size(); ++v) {
+        if (wanted[v]) part.vertices.push_back(static_cast<std::uint32_t>(v));
+    }
+    return part;
 }
 
 /// The mesh of the surroundings with other points.
