@@ -170,9 +170,12 @@ describe('what comes in', { timeout: 300_000 }, () => {
 
     it('is pasted where no field has the focus, and dropped', async () => {
         const { page, context } = await opened('#bspline-forms');
-        await page.getByRole('button', { name: 'Scenes' }).click();
-        await pasted(page, opens[0][1], '.search');
-        await page.keyboard.press('Escape');
+        await page.getByRole('spinbutton', { name: 'Degree', exact: true }).evaluate((input, text) => {
+            const clipboardData = new DataTransfer();
+            clipboardData.setData('text/plain', text);
+            input.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, composed: true, cancelable: true }));
+        }, opens[0][1]);
+        await settle(page);
         assert.equal((await documentOf(page)).objects[0].type, 'bspline-curve', 'a field keeps what is pasted into it');
         await pasted(page, opens[0][1], 'body');
         await titled(page, 'Your document');
