@@ -380,6 +380,25 @@ void App::select(int id, const std::string& path) {
     if (View* view = parts_->view(id)) view->select(path);
 }
 
+std::string App::held(int id) {
+    View* view = parts_->view(id);
+    return view != nullptr ? view->held() : "null";
+}
+
+void App::setStep(int id, double step) {
+    if (View* view = parts_->view(id)) view->setStep(step);
+}
+
+bool App::shift(int id, double dx, double dy, double dz) {
+    View* view = parts_->view(id);
+    return view != nullptr && view->shift({dx, dy, dz});
+}
+
+bool App::place(int id, double x, double y, const std::string& how) {
+    View* view = parts_->view(id);
+    return view != nullptr && view->place({x, y}, how);
+}
+
 std::string App::stats() const {
     const render::Stats stats = parts_->renderer.stats();
     scene::Json json = scene::Json::object();

@@ -74,6 +74,18 @@ public:
     /// { object, id, path, kind, index, position } or null.
     std::string selection(int id) const;
     void select(int id, const std::string& path);
+    /// What is selected, for fields over the picture: { path, kind, number, count, pixel, step,
+    /// value } or null. `number` of `count` of its kind, `pixel` where it is seen, `step` of the
+    /// arrow keys; of a local curve or patch also its name `local` and whether it is in space, and
+    /// the value is { translate, angle, scale }.
+    std::string held(int id);
+    /// Of the arrow keys, in units; 0 lets the zoom decide.
+    void setStep(int id, double step);
+    /// Moves what is selected by so many units, as a press of an arrow key does.
+    bool shift(int id, double dx, double dy, double dz);
+    /// A click in place of a drag of what is selected. `how` is move: to x, y; turn: until its own
+    /// axis points there; scale: until the box of its tool stands there.
+    bool place(int id, double x, double y, const std::string& how);
     /// { views, glObjects, drawCalls, vertices, frames }.
     std::string stats() const;
 

@@ -78,12 +78,15 @@ std::optional<Target> findTarget(const drawing::Drawing& drawing, std::string_vi
     return std::nullopt;
 }
 
+bool siblings(const Shape& shape, const Target& target) noexcept {
+    return shape.object == target.object && shape.pane == target.pane && offers(shape) &&
+           kindOfList(shape.path) == target.kind;
+}
+
 std::vector<std::string> siblingsOf(const drawing::Drawing& drawing, const Target& target) {
     std::vector<std::string> paths;
     for (const Shape& shape : drawing.shapes) {
-        const bool sibling = shape.object == target.object && shape.pane == target.pane &&
-                             offers(shape) && kindOfList(shape.path) == target.kind;
-        const std::size_t count = sibling ? shape.positions.size() / 3 : 0;
+        const std::size_t count = siblings(shape, target) ? shape.positions.size() / 3 : 0;
         for (std::size_t k = 0; k < count; ++k) paths.push_back(indexed(shape.path, k));
     }
     return paths;

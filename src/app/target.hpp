@@ -54,6 +54,8 @@ struct PosedLocal {
 /// The target of this path in a drawing, or nothing where the drawing does not show it.
 [[nodiscard]] std::optional<Target> findTarget(const drawing::Drawing& drawing,
                                                std::string_view path);
+/// Whether its elements are of the target's kind and object, and in its pane.
+[[nodiscard]] bool siblings(const Shape& shape, const Target& target) noexcept;
 /// The paths of all targets of the same kind and object that the drawing shows, a net's row after
 /// row.
 [[nodiscard]] std::vector<std::string> siblingsOf(const drawing::Drawing& drawing,

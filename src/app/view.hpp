@@ -75,6 +75,16 @@ public:
     }
     void select(std::string_view path);
     [[nodiscard]] std::string selection() const;
+
+    /// What is selected, for hands that cannot hold it: App::held.
+    [[nodiscard]] std::string held();
+    /// How far an arrow key moves, in units; 0 lets the zoom decide.
+    void setStep(double step) noexcept { step_ = step; }
+    /// Moves what is selected by so many units along its object's axes, as the arrow keys do.
+    bool shift(const Vec3& by);
+    /// A click in place of a drag of what is selected: App::place.
+    bool place(const Pixel& at, std::string_view how);
+
     /// `covered` tells whether something lies over a box of the view, so that no label is wanted.
     [[nodiscard]] std::string labels(const std::function<bool(const ui::Box&)>& covered) const;
     [[nodiscard]] std::string labels() const {
@@ -130,10 +140,14 @@ private:
     bool escape();
     bool removeSelected();
     bool nudge(const Vec3& direction, int modifiers);
-    void nudgeInSpace(const Target& target, const Vec3& steps, double step);
+    void moveBy(const Target& target, const Vec3& by);
+    [[nodiscard]] double stepIn(const PaneFigure& pane) const noexcept;
     bool turn(const Vec3& direction);
     bool selectNeighbour(int step);
     bool zoomKey(double factor);
+
+    // view_hands.cpp
+    [[nodiscard]] std::optional<Pixel> grip(std::string_view how, const PaneFigure& pane);
 
     int id_;
     double width_ = 0;
@@ -143,6 +157,7 @@ private:
     bool dark_ = false;
     bool readOnly_ = false;
     bool reducedMotion_ = false;
+    double step_ = 0;  ///< of the arrow keys, 0 by the zoom
     Words words_;
 
     Editor editor_;

@@ -30,10 +30,22 @@ double nudgeStep(double pixelsPerUnit) noexcept {
     return std::pow(10.0, std::floor(std::log10(nudgePixels / pixelsPerUnit)));
 }
 
-Json moveBy(const std::string& path, Json by) {
+/// Absolute, as a drag says it, and as decimal as the step.
+Json moveTo(const std::string& path, const Json& was, const Vec3& by) {
+    const auto moved = [](const Json& number, double step) {
+        const double from = number.get<double>();
+        return step == 0 ? from : roundedTo(from + step, std::abs(step) / 1e6);
+    };
     Json command = Json::object();
     command["move"] = path;
-    command["by"] = std::move(by);
+    if (was.is_number()) {
+        command["to"] = moved(was, by.x);
+        return command;
+    }
+    Json& to = command["to"] = Json::array();
+    for (std::size_t k = 0; k < std::min<std::size_t>(was.size(), 3); ++k) {
+        to.push_back(moved(was[k], by[static_cast<glm::length_t>(k)]));
+    }
     return command;
 }
 
@@ -108,35 +120,42 @@ bool View::nudge(const Vec3& direction, int modifiers) {
     const auto& target = emphasis_.selected;
     const PaneFigure* pane = now != nullptr && target ? now->find(target->pane) : nullptr;
     if (pane == nullptr || readOnly_ || hold_ != Hold::nothing) return false;
-    const double step = nudgeStep(1 / pane->sight.unitsPerPixel());
+    const double step = stepIn(*pane);
     const double times = (modifiers & shiftKey) != 0 ? 10 : 1;
+    const bool knot = target->kind == TargetKind::knot;
+    if (knot && direction.x == 0) return true;
+    // Directions on the screen need not be round in the world.
+    const Vec3 steps = glm::transpose(pane->sight.orientation()) * direction * times;
+    const auto by = [&](double coordinate) { return roundedTo(coordinate * step, step / 1000); };
+    return shift({by(steps.x), by(steps.y), by(steps.z)});
+}
+
+double View::stepIn(const PaneFigure& pane) const noexcept {
+    return step_ > 0 ? step_ : nudgeStep(1 / pane.sight.unitsPerPixel());
+}
+
+bool View::shift(const Vec3& by) {
+    if (!emphasis_.selected || readOnly_ || hold_ != Hold::nothing) return false;
     if (!editor_.inGesture()) editor_.beginGesture(gesturePrefix());
-    if (target->kind == TargetKind::knot) {
-        if (direction.x != 0) editor_.run(moveBy(target->path(), direction.x * times * step), "key");
-    } else {
-        nudgeInSpace(*target, glm::transpose(pane->sight.orientation()) * direction * times, step);
-    }
+    moveBy(Target(*emphasis_.selected), by);
     touch();
     return true;
 }
 
-/// A point or a local by so many steps; directions on the screen need not be round in the world.
-void View::nudgeInSpace(const Target& target, const Vec3& steps, double step) {
+/// A knot along its line, a point or a local along the axes of its object.
+void View::moveBy(const Target& target, const Vec3& by) {
     const scene::Object& object =
         *scene()->state().objects[static_cast<std::size_t>(target.object)];
-    const auto by = [&](double coordinate) { return roundedTo(coordinate * step, step / 1000); };
     if (target.kind == TargetKind::pose) {
         const auto local = posedLocal(object.body, target.index);
         if (!local) return;
         Pose pose = local->pose;
-        pose.translate += Vec3{by(steps.x), by(steps.y), by(steps.z)};
+        pose.translate += by;
         editor_.run(poseCommand(object.id, local->name, pose), "key");
         return;
     }
     const Json* was = valueAt(scene()->state(), target.path());
-    Json move = Json::array({by(steps.x), by(steps.y)});
-    if (was != nullptr && was->size() > 2) move.push_back(by(steps.z));
-    editor_.run(moveBy(target.path(), std::move(move)), "key");
+    if (was != nullptr) editor_.run(moveTo(target.path(), *was, by), "key");
 }
 
 bool View::turn(const Vec3& direction) {

@@ -59,6 +59,10 @@ EMSCRIPTEN_BINDINGS(knotwork_app) {
         .function("takeEvents", &App::takeEvents)
         .function("selection", &App::selection)
         .function("select", &App::select)
+        .function("held", &App::held)
+        .function("setStep", &App::setStep)
+        .function("shift", &App::shift)
+        .function("place", &App::place)
         .function("stats", &App::stats);
     class_<PageApp, base<App>>("App")
         .constructor<Session&>()

@@ -1,0 +1,129 @@
+// What is selected, told and moved without holding it: for fields over the picture, and for clicks
+// in place of drags.
+#include "app/view.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace knotwork::app {
+
+namespace {
+
+using scene::Json;
+
+Json listOf(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json poseJson(const PosedLocal& local) {
+    Json json = Json::object();
+    json["translate"] = listOf(local.pose.translate);
+    json["angle"] = local.pose.angle;
+    json["scale"] = listOf(local.pose.scale);
+    return json;
+}
+
+struct Place {
+    std::size_t number = 0;  ///< counted from one
+    std::size_t count = 0;
+};
+
+/// Among all that can be taken hold of and are of its kind and object.
+Place placeAmongSiblings(const drawing::Drawing& drawing, const Target& target) {
+    Place place;
+    for (const Shape& shape : drawing.shapes) {
+        if (!siblings(shape, target)) continue;
+        if (shape.path == target.list) place.number = place.count + target.index + 1;
+        place.count += shape.positions.size() / 3;
+    }
+    return place;
+}
+
+/// The axis that points most towards the eye: to turn about it is what a click can show.
+int facingAxis(const Gizmo& gizmo, const Sight& sight) noexcept {
+    int best = 2;
+    for (int k = 0; k < 2; ++k) {
+        const auto towards = [&](int axis) {
+            return std::abs(glm::dot(gizmo.axes[static_cast<std::size_t>(axis)], sight.towardsEye()));
+        };
+        if (towards(k) > towards(best) + 1e-9) best = k;
+    }
+    return best;
+}
+
+}  // namespace
+
+std::string View::held() {
+    const Figure* now = figure();
+    const auto& target = emphasis_.selected;
+    const PaneFigure* pane = now != nullptr && target ? now->find(target->pane) : nullptr;
+    if (pane == nullptr) return "null";
+    const Place place = placeAmongSiblings(drawing(), *target);
+    const Pixel at = pane->sight.toPixels(target->at);
+    Json json = Json::object();
+    json["path"] = target->path();
+    json["kind"] = kindName(target->kind);
+    json["number"] = place.number;
+    json["count"] = place.count;
+    json["pixel"] = Json::array({at.x, at.y});
+    json["step"] = stepIn(*pane);
+    const scene::Object& object =
+        *scene()->state().objects[static_cast<std::size_t>(target->object)];
+    if (target->kind == TargetKind::pose) {
+        const auto local = posedLocal(object.body, target->index);
+        if (!local) return "null";
+        json["local"] = local->name;
+        json["value"] = poseJson(*local);
+        json["spatial"] = spatial_;
+    } else if (const Json* value = valueAt(scene()->state(), target->path())) {
+        json["value"] = *value;
+    }
+    return scene::dumpJson(json);
+}
+
+/// Where a drag of this kind takes hold of what is selected; notes the part of the tool it is.
+std::optional<Pixel> View::grip(std::string_view how, const PaneFigure& pane) {
+    const Target& target = *emphasis_.selected;
+    if (how == "move") return pane.sight.toPixels(target.at);
+    const auto tool = gizmo();
+    if (!tool) return std::nullopt;
+    if (how == "turn") {
+        const int axis = facingAxis(*tool, pane.sight);
+        heldPart_ = GizmoPart{GizmoKind::turn, axis};
+        const Vec3& own = tool->own[static_cast<std::size_t>((axis + 1) % 3)];
+        return pane.sight.toPixels(tool->at + own);
+    }
+    for (int axis = 0; how == "scale" && axis < 3; ++axis) {
+        const auto box = boxPlace(*tool, pane.sight, axis);
+        if (!box) continue;
+        heldPart_ = GizmoPart{GizmoKind::scale, axis};
+        return box;
+    }
+    return std::nullopt;
+}
+
+bool View::place(const Pixel& at, std::string_view how) {
+    const Figure* now = figure();
+    letGo();
+    if (now == nullptr || readOnly_ || !emphasis_.selected) return false;
+    const PaneFigure* pane = now->find(emphasis_.selected->pane);
+    const auto from = pane != nullptr ? grip(how, *pane) : std::nullopt;
+    const PaneFigure* under = now->paneAt(at);
+    if (!from || (under != nullptr && under != pane)) {
+        heldPart_.reset();
+        return false;
+    }
+    held_ = emphasis_.selected;
+    pressedAt_ = *from;
+    const bool began = beginDrag();
+    if (began) {
+        // Boxes scale along all axes: one click cannot say more.
+        dragTo({"move", at, 1, how == "scale" ? int{shiftKey} : 0, "mouse", 0});
+        editor_.endGesture("pointer");
+    }
+    hold_ = Hold::nothing;
+    letGo();
+    touch();
+    return began;
+}
+
+}  // namespace knotwork::app
