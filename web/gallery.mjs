@@ -35,6 +35,7 @@ export function openGallery(host) {
         if (/** @type {Element} */ (event.target).closest('a')) dialog.close();
     });
     /** @type {HTMLElement | null} */ (dialog.querySelector('[aria-current]'))?.focus();
+    if (standsAlone()) drawPictures(host, groups.flatMap(({ items }) => items));
     return dialog;
 }
 
@@ -50,12 +51,12 @@ function makeGroup(host, { topic, scenes }) {
 }
 
 /** @param {GalleryHost} host @param {ListedScene} scene */
-function makeItem(host, { id, title, description, document: content }) {
+function makeItem(host, scene) {
+    const { id, title, description } = scene;
     const shownTitle = host.words.scene(id, 'title', title);
     const shownText = host.words.scene(id, 'description', description);
-    const picture = el('img', {
-        attributes: { src: pictureOf(host, id, content), loading: 'lazy', decoding: 'async', alt: '', ...size },
-    });
+    const src = standsAlone() ? null : `gallery/${id}${host.dark ? '.dark' : ''}.svg`;
+    const picture = el('img', { attributes: { src, loading: 'lazy', decoding: 'async', alt: '', ...size } });
     // A link with nothing but a fragment, before the first that leads away, passes for one that
     // skips to a place of the page.
     const [here] = location.href.split('#', 1);
@@ -63,19 +64,24 @@ function makeItem(host, { id, title, description, document: content }) {
         class: 'card',
         attributes: { href: `${here}#${id}`, 'aria-current': id === host.shown ? 'true' : null },
     }, picture, el('span', { class: 'card-title', text: shownTitle }), el('span', { class: 'card-text', text: shownText }));
-    return { element: el('li', {}, link), text: `${shownTitle} ${shownText} ${id}`.toLowerCase() };
+    return { scene, picture, element: el('li', {}, link), text: `${shownTitle} ${shownText} ${id}`.toLowerCase() };
 }
 
+/** Whether the page is one file, with no pictures beside it. */
+const standsAlone = () => document.getElementById('knotwork-wasm') !== null;
+
 /**
- * The delivered picture, or where the page is one file with nothing beside it, one drawn now.
- * @param {GalleryHost} host @param {string} id @param {any} content
+ * Draws the pictures here and now, one a task, so that the page is never blocked for long.
+ * @param {GalleryHost} host
+ * @param {ReturnType<typeof makeItem>[]} items
  */
-function pictureOf({ kw, dark }, id, content) {
-    if (!document.getElementById('knotwork-wasm')) return `gallery/${id}${dark ? '.dark' : ''}.svg`;
-    const scene = kw.scene(content);
-    const picture = scene.svg({ ...size, theme: dark ? 'dark' : 'light', background: 'none' });
+function drawPictures(host, [item, ...rest]) {
+    if (!item?.element.isConnected) return;
+    const scene = host.kw.scene(item.scene.document);
+    const picture = scene.svg({ ...size, theme: host.dark ? 'dark' : 'light', background: 'none' });
     scene.dispose();
-    return `data:image/svg+xml,${encodeURIComponent(picture)}`;
+    item.picture.src = `data:image/svg+xml,${encodeURIComponent(picture)}`;
+    setTimeout(() => drawPictures(host, rest));
 }
 
 /**

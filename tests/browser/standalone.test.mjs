@@ -19,6 +19,19 @@ describe('the one-file page', { timeout: 120_000 }, () => {
         await shown.context.close();
     });
 
+    it('draws the pictures of its gallery itself', async () => {
+        const server = { url: pathToFileURL(path.join(distribution, path.sep)).href };
+        const shown = await openPage({ ...running, server }, 'standalone.html');
+        await figureReady(shown.page);
+        await shown.page.getByRole('button', { name: 'Scenes' }).click();
+        await shown.page.waitForFunction(() => {
+            const pictures = [...document.querySelectorAll('.gallery img')];
+            return pictures.length > 20 && pictures.every(({ src }) => src.startsWith('data:')) && pictures[0].naturalWidth > 0;
+        });
+        await assertSilent(shown);
+        await shown.context.close();
+    });
+
     it('draws in a frame that may do nothing but run scripts', async () => {
         const { page, context, said } = await openPage(running, 'frame.html', {
             html: '<iframe sandbox="allow-scripts" src="standalone.html" title="Knotwork" width="900" height="700"></iframe>',
