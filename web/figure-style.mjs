@@ -102,6 +102,7 @@ const toolbar = `
 }
 .button:hover { background: var(--raised); }
 .button[aria-disabled="true"] { color: var(--edge); cursor: default; background: transparent; }
+.frame[data-theme="contrast"] .button[aria-disabled="true"] { opacity: 0.5; }
 .button:is([aria-pressed="true"], [aria-expanded="true"]) { background: var(--wash); color: var(--accent); }
 .button .caption { padding-inline-end: 0.375rem; white-space: nowrap; }
 .button.captioned { padding-inline: 0.5rem 0.25rem; }

@@ -102,11 +102,14 @@ export class Words {
     }
 
     /**
-     * A number to be edited: every digit that it has.
+     * A number to be edited: every digit that it has, but for the last two of a sum that has been
+     * rounded, so that 2.1 − 3 reads as −0.9.
      * @param {number} value
      */
     editable(value) {
-        return this.#decimal(String(value));
+        const short = Number(value.toPrecision(14));
+        const same = Math.abs(short - value) <= 2 * Number.EPSILON * Math.abs(value);
+        return this.#decimal(String(same ? short : value));
     }
 
     /**

@@ -183,6 +183,9 @@ describe('the values panel', { timeout: 300_000 }, () => {
         const { page, context } = await openedWith({ id: 'body', type: 'subdivision-surface', scheme: 'catmull-clark', levels: 1, mesh: { solid: 'cube' } });
         const mesh = page.getByRole('combobox', { name: 'Mesh' });
         assert.equal(await mesh.inputValue(), 'cube');
+        await page.evaluate(() => document.querySelector('knotwork-figure').scene.execute({ set: 'objects[0].style.width', value: 2.1 - 0.9 }));
+        await field(page, 'Width').waitFor();
+        assert.equal(await field(page, 'Width').inputValue(), '1.2', 'and no 1.2000000000000002');
         await mesh.selectOption({ label: 'Its own vertices' });
         await type(page, 'Point 1, x', '-2');
         assert.equal((await documentOf(page)).objects[0].mesh.vertices[0][0], -2);
