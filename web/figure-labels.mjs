@@ -13,6 +13,7 @@ const family = 'system-ui, "Segoe UI", Roboto, "Noto Sans", "DejaVu Sans", sans-
  * @property {number} [size]
  * @property {number | string} [weight]
  * @property {string} [colour]
+ * @property {string} [halo] the colour of a rim round the letters
  */
 
 /**
@@ -24,6 +25,12 @@ export function drawLabels(context, labels) {
         context.font = `${label.weight ?? 400} ${label.size ?? 12}px ${family}`;
         context.textAlign = label.align ?? 'left';
         context.textBaseline = label.baseline ?? 'alphabetic';
+        if (label.halo) {
+            context.strokeStyle = label.halo;
+            context.lineWidth = 3.5;
+            context.lineJoin = 'round';
+            context.strokeText(label.text, label.x, label.y);
+        }
         context.fillStyle = label.colour ?? '#888888';
         context.fillText(label.text, label.x, label.y);
     }

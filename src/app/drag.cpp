@@ -266,18 +266,18 @@ void Drag::turnAbout(Pose& pose, const Pixel& pointer, const Sight& sight, int m
     turned_ += std::remainder(angle - lastAngle_, 2 * pi);
     lastAngle_ = angle;
     const bool snaps = (modifiers & commandKey) != 0;
-    const double by = snaps ? std::round(turned_ / snapAngle) * snapAngle
-                            : roundedTo(turned_, finestAngle);
-    if (by == 0) return;
+    turnedBy_ = snaps ? std::round(turned_ / snapAngle) * snapAngle
+                      : roundedTo(turned_, finestAngle);
+    if (turnedBy_ == 0) return;
     Vec3 axis{0.0};
     axis[part_->axis] = 1;
     const Vec3 before = glm::normalize(pose.axis);
     if (pose.angle == 0 || before == axis) {
         pose.axis = axis;
-        pose.angle += by;
+        pose.angle += turnedBy_;
         return;
     }
-    const Turn both = compose({axis, by}, {pose.axis, pose.angle});
+    const Turn both = compose({axis, turnedBy_}, {pose.axis, pose.angle});
     pose.axis = both.axis;
     pose.angle = both.angle;
 }

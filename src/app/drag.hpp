@@ -44,6 +44,8 @@ public:
 
     [[nodiscard]] const Target& target() const noexcept { return target_; }
     [[nodiscard]] const std::optional<GizmoPart>& part() const noexcept { return part_; }
+    /// Radians by which a ring has been turned.
+    [[nodiscard]] double turned() const noexcept { return turnedBy_; }
 
 private:
     Drag() = default;
@@ -79,6 +81,7 @@ private:
     Pixel pressed_;
     double lastAngle_ = 0;      ///< on the ring
     double turned_ = 0;         ///< since it was pressed, also more than once round
+    double turnedBy_ = 0;       ///< the same, rounded
 };
 
 }  // namespace knotwork::app

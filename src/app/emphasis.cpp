@@ -1,5 +1,6 @@
 #include "app/emphasis.hpp"
 
+#include "app/support.hpp"
 #include "ui/theme.hpp"
 
 #include <algorithm>
@@ -44,14 +45,22 @@ void markElements(Painted& result, const Emphasis& emphasis) {
     }
 }
 
-/// Object and index of the element whose part of the curve is shown.
-std::optional<std::pair<int, std::size_t>> ruler(const Emphasis& emphasis) noexcept {
+/// The element whose part of the curve or surface is shown.
+struct Ruler {
+    int object = -1;
+    std::size_t index = 0;
+    std::size_t row = 0;  ///< of a net
+    bool knot = false;
+};
+
+std::optional<Ruler> ruler(const Emphasis& emphasis) noexcept {
     if (emphasis.basisObject >= 0) {
-        return std::pair{emphasis.basisObject, static_cast<std::size_t>(emphasis.basisIndex)};
+        return Ruler{emphasis.basisObject, static_cast<std::size_t>(emphasis.basisIndex)};
     }
     const auto& target = emphasis.hovered ? emphasis.hovered : emphasis.selected;
-    if (!target || target->kind == TargetKind::knot) return std::nullopt;
-    return std::pair{target->object, target->index};
+    if (!target) return std::nullopt;
+    return Ruler{target->object, target->index, rowOf(target->list),
+                 target->kind == TargetKind::knot};
 }
 
 const scene::Placed* placedOf(const std::vector<scene::Placed>& placed,
@@ -123,16 +132,40 @@ void addParameterLines(Figure& figure, const FigureRequest& request) {
     }
 }
 
-void addStretch(PaneFigure& pane, const FigureRequest& request,
-                const std::vector<scene::Placed>& all, int object, std::size_t index) {
-    const scene::Placed* placed = placedOf(all, *request.state, object);
-    const Curve* curve = placed != nullptr ? placed->body.curve() : nullptr;
-    const auto interval = curve != nullptr ? ruledInterval(*curve, index) : std::nullopt;
-    if (!interval) return;
-    Shape stretch = stretchOf(*placed, *interval, stretchPoints);
-    stretch.width = static_cast<float>(placed->object->style.width + 9);
-    stretch.colour.alpha = request.dark ? 0.34 : 0.22;
-    pane.below.push_back(std::move(stretch));
+/// What the ruler rules of a curve, wide and faint.
+std::optional<Shape> ruledStretch(const scene::Placed& placed, const Ruler& ruling, bool dark) {
+    const Curve& curve = *placed.body.curve();
+    const auto interval = ruling.knot ? ruledByKnot(curve, ruling.index)
+                                      : ruledInterval(curve, ruling.index);
+    if (!interval) return std::nullopt;
+    Shape stretch = stretchOf(placed, *interval, stretchPoints);
+    stretch.width = static_cast<float>(placed.object->style.width + 9);
+    stretch.colour.alpha = dark ? 0.34 : 0.22;
+    return stretch;
+}
+
+void addRuled(PaneFigure& pane, const FigureRequest& request,
+              const std::vector<scene::Placed>& all, const Ruler& ruling) {
+    const scene::Placed* placed = placedOf(all, *request.state, ruling.object);
+    if (placed == nullptr) return;
+    if (placed->body.curve() != nullptr) {
+        if (auto stretch = ruledStretch(*placed, ruling, request.dark)) {
+            pane.below.push_back(std::move(*stretch));
+        }
+        return;
+    }
+    std::optional<Shape> lines;
+    if (const Surface* surface = placed->body.surface()) {
+        if (const auto part = ruledRectangle(*surface, ruling.row, ruling.index)) {
+            lines = gridOf(*placed, *part);
+        }
+    } else if (placed->body.subdivision() != nullptr) {
+        lines = starOf(*placed, ruling.index);
+    }
+    if (!lines) return;
+    lines->colour = coloursOf(request).accent;
+    lines->width = lines->role == drawing::Role::isoline ? 2.0F : 3.5F;
+    pane.below.push_back(std::move(*lines));
 }
 
 /// The same parameter on the hodograph of the object.
@@ -164,35 +197,6 @@ void addDot(Figure& figure, const FigureRequest& request, const std::vector<scen
 
 }  // namespace
 
-std::optional<Interval> ruledInterval(const Curve& curve, std::size_t index) noexcept {
-    if (const auto* spline = curve.as<BsplineCurve>()) {
-        const auto knots = spline->knotVector().extended();
-        const std::size_t end = index + static_cast<std::size_t>(spline->degree()) + 1;
-        if (end >= knots.size()) return std::nullopt;
-        if (spline->closed()) return Interval{knots[index], knots[end]};
-        const Interval whole = spline->domain();
-        const Interval ruled{std::max(knots[index], whole.start), std::min(knots[end], whole.end)};
-        return ruled.length() > 0 ? std::optional(ruled) : std::nullopt;
-    }
-    if (const auto* blend = curve.as<BlendingCurve>()) {
-        if (index < blend->locals().size()) return blend->support(index);
-    }
-    return std::nullopt;
-}
-
-Shape stretchOf(const scene::Placed& placed, const Interval& interval, std::size_t count) {
-    Shape stretch;
-    stretch.object = -1;
-    stretch.positions.reserve(3 * count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 p = placed.placement.point(
-            pointAt(*placed.body.curve(), uniformParameter(interval, i, count)));
-        stretch.positions.insert(stretch.positions.end(), {p.x, p.y, p.z});
-    }
-    stretch.colour = placed.colour;
-    return stretch;
-}
-
 Painted painted(const Shape& shape, const Emphasis& emphasis) {
     Painted result{&shape, 1, 0, {}};
     if (shape.pane == Pane::basis && shape.kind == drawing::Kind::polyline) {
@@ -214,7 +218,7 @@ void addEmphasis(Figure& figure, const FigureRequest& request) {
     const bool dotted = shown && shown->ofCurve;
     if (!ruling && !dotted) return;
     const auto placed = scene::place(*request.state, request.moment);
-    if (ruling) addStretch(figure.panes.front(), request, placed, ruling->first, ruling->second);
+    if (ruling) addRuled(figure.panes.front(), request, placed, *ruling);
     if (dotted) addDot(figure, request, placed, shown->t);
 }
 

@@ -5,14 +5,6 @@
 
 namespace knotwork::app {
 
-/// The parameters over which a control point or a local curve has a say in the curve; those of a
-/// closed curve may begin before its domain.
-[[nodiscard]] std::optional<Interval> ruledInterval(const Curve& curve, std::size_t index) noexcept;
-
-/// The part of a placed curve over an interval as a polyline of `count` points.
-[[nodiscard]] Shape stretchOf(const scene::Placed& placed, const Interval& interval,
-                              std::size_t count);
-
 /// Marks, widths and opacities of a shape under this emphasis.
 [[nodiscard]] Painted painted(const Shape& shape, const Emphasis& emphasis);
 

@@ -105,6 +105,19 @@ double reachOf(const drawing::Bounds& bounds, const Vec3& middle) noexcept {
     return bounds.empty ? 1 : std::max(glm::length(glm::max(low, high)), 1e-9);
 }
 
+/// Above and to the right of what is dragged; where there is no room, on the other side.
+void addReading(PaneFigure& pane, const Reading& reading, const ui::Theme& colours) {
+    const Pixel at = pane.sight.toPixels(reading.at);
+    ui::Label label{reading.text, {at.x + 14, at.y - 16}, ui::Align::left, ui::Baseline::middle,
+                    12, true, colours.text, true, true};
+    if (ui::boxOf(label).right() > pane.plot.box.right()) {
+        label.at.x = at.x - 14;
+        label.align = ui::Align::right;
+    }
+    if (label.at.y < pane.plot.box.y + 8) label.at.y = at.y + 18;
+    pane.plot.labels.push_back(std::move(label));
+}
+
 /// The tool at the selected handle, its arrows named.
 void addGizmo(PaneFigure& pane, const Gizmo& gizmo, const FigureRequest& request) {
     pane.tools = gizmoShapes(gizmo, pane.sight, request.emphasis.part, request.dark);
@@ -118,7 +131,7 @@ void addGizmo(PaneFigure& pane, const Gizmo& gizmo, const FigureRequest& request
         pane.plot.labels.push_back({std::string(names[static_cast<std::size_t>(axis)]),
                                     {tip->x + nameAside * aside.x, tip->y + nameAside * aside.y},
                                     ui::Align::centre, ui::Baseline::middle, 12, true,
-                                    axisColour(axis, request.dark)});
+                                    axisColour(axis, request.dark), false, true});
     }
 }
 
@@ -149,6 +162,8 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
                                         shape.colour});
         }
     }
+    if (request.ghost != nullptr) pane.below = *request.ghost;
+    if (request.reading) addReading(pane, *request.reading, colours);
     if (request.gizmo) addGizmo(pane, *request.gizmo, request);
     figure.panes.push_back(std::move(pane));
 }

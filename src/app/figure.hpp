@@ -74,6 +74,12 @@ struct Words {
     std::string decimalPoint = ".";
 };
 
+/// Numbers beside what is dragged.
+struct Reading {
+    Vec3 at{0.0};
+    std::string text;
+};
+
 struct FigureRequest {
     const drawing::Drawing* drawing = nullptr;
     const scene::State* state = nullptr;
@@ -88,6 +94,8 @@ struct FigureRequest {
     /// During the drag of a knot the axis must stay, or the knot would run away from the pointer.
     std::optional<Interval> frozenRange;
     std::optional<Gizmo> gizmo;  ///< at the selected handle
+    std::optional<Reading> reading;
+    const std::vector<Shape>* ghost = nullptr;  ///< what is dragged as it was before
 };
 
 /// The panes that the document asks for, and the one of the curve, which stands where there is no

@@ -35,12 +35,20 @@ std::string_view baselineName(ui::Baseline baseline) noexcept {
                                               : "middle";
 }
 
-std::string withPoint(std::string text, const std::string& point) {
-    const std::size_t at = text.find('.');
-    return at == std::string::npos ? text : text.replace(at, 1, point);
+/// Where a comma stands in numbers, another sign has to stand between them.
+std::string withPoint(const std::string& text, const std::string& point) {
+    std::string written;
+    for (const char letter : text) {
+        if (letter == '.') {
+            written += point;
+        } else {
+            written += letter == ',' && point == "," ? ';' : letter;
+        }
+    }
+    return written;
 }
 
-Json labelJson(const ui::Label& label, const Words& words) {
+Json labelJson(const ui::Label& label, const Words& words, bool dark) {
     Json json = Json::object();
     json["text"] = label.number ? withPoint(label.text, words.decimalPoint) : label.text;
     json["x"] = label.at.x;
@@ -50,6 +58,10 @@ Json labelJson(const ui::Label& label, const Words& words) {
     json["size"] = label.size;
     json["weight"] = label.strong ? 600 : 400;
     json["colour"] = scene::formatColour(label.colour);
+    if (label.halo) {
+        const auto name = dark ? ui::ThemeName::dark : ui::ThemeName::light;
+        json["halo"] = scene::formatColour(ui::theme(name).background);
+    }
     return json;
 }
 
@@ -217,6 +229,8 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.emphasis.quiet = clock_.running() && !pointedAt_ && !emphasis_.selected;
     request.frozenRange = frozenRange_;
     request.gizmo = gizmo();
+    request.reading = reading();
+    request.ghost = &ghost_;
     if (heldPart_) request.emphasis.part = heldPart_;
     return request;
 }
@@ -327,7 +341,7 @@ std::string View::labels(const std::function<bool(const ui::Box&)>& covered) con
     for (const PaneFigure& pane : figure_.panes) {
         for (const ui::Label& label : pane.plot.labels) {
             if (covered(ui::boxOf(label))) continue;
-            list.push_back(labelJson(label, words_));
+            list.push_back(labelJson(label, words_, dark_));
         }
     }
     return scene::dumpJson(list);

@@ -124,6 +124,8 @@ private:
     void dragTo(const PointerInput& input);
     bool beginDrag();
     [[nodiscard]] std::optional<Gizmo> gizmo() const;
+    [[nodiscard]] std::optional<Reading> reading() const;
+    void rememberShape();
     [[nodiscard]] std::optional<GizmoPart> partUnder(const Pixel& at, double radius,
                                                      const std::optional<Target>& target) const;
     void letGo();
@@ -183,6 +185,7 @@ private:
     std::optional<Target> held_;
     std::optional<GizmoPart> heldPart_;  ///< of the tool at what is held
     std::optional<Drag> drag_;
+    std::vector<Shape> ghost_;  ///< of what is dragged, as it was before
     std::optional<Interval> frozenRange_;
     Pixel pressedAt_;
     Pixel lastAt_;

@@ -176,6 +176,7 @@ bool View::beginDrag() {
     if (const auto tool = gizmo(); heldPart_ && tool) {
         drag_->hold(*tool, *heldPart_, pressedAt_, pane->sight);
     }
+    rememberShape();
     if (held_->kind == TargetKind::knot) frozenRange_ = now->axis.range;
     if (editor_.inGesture()) editor_.endGesture("key");
     editor_.beginGesture(gesturePrefix());
@@ -202,6 +203,7 @@ void View::letGo() {
     held_.reset();
     heldPart_.reset();
     drag_.reset();
+    ghost_.clear();
     frozenRange_.reset();
 }
 

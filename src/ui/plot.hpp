@@ -34,7 +34,8 @@ struct Label {
     double size = 11;  ///< CSS pixels
     bool strong = false;
     Colour colour;
-    bool number = false;  ///< holds a number, whose decimal point is the language's
+    bool number = false;  ///< holds numbers, whose decimal point is the language's
+    bool halo = false;    ///< stands over the picture, parted from it by a rim of the background
 };
 
 /// About where its text will stand; the page knows its font, we only know its size.
