@@ -1,5 +1,7 @@
 #include "app/hit.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,6 +43,8 @@ bool isHidden(const PaneFigure& pane, const Vec3& world) noexcept {
     const Pixel at = pane.sight.toPixels(world);
     const double behind = pane.sight.nearness(world) + slackInDepth;
     std::array<double, 3> weights{};
+    const Orientation& turned = pane.sight.orientation();
+    const Vec3 right{turned[0][0], turned[1][0], turned[2][0]};
     for (const Painted& painted : pane.shapes) {
         const Shape& shape = *painted.shape;
         if (shape.kind != drawing::Kind::triangles) continue;
@@ -48,6 +52,10 @@ bool isHidden(const PaneFigure& pane, const Vec3& world) noexcept {
             const std::array corners{positionOf(shape, shape.indices[i]),
                                      positionOf(shape, shape.indices[i + 1]),
                                      positionOf(shape, shape.indices[i + 2])};
+            // Nearly all triangles lie wholly to one side.
+            const auto aside = [&](std::size_t k) { return glm::dot(right, corners[k] - world); };
+            const double first = aside(0);
+            if (first * aside(1) > 0 && first * aside(2) > 0) continue;
             const std::array seen{pane.sight.toPixels(corners[0]), pane.sight.toPixels(corners[1]),
                                   pane.sight.toPixels(corners[2])};
             if (!covers(seen, at, weights)) continue;
