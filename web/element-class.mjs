@@ -123,6 +123,15 @@ export class KnotworkFigure extends Base {
     }
 
     /**
+     * Selects an element of the document, such as `objects[0].points[2]`, and gives it the focus;
+     * answers whether the picture shows it.
+     * @param {string} path
+     */
+    focusPoint(path) {
+        return this.#figure?.focusPoint(String(path)) ?? false;
+    }
+
+    /**
      * What is shown as a file: the picture as `png` or `svg`, the document as `json`, the calls that
      * make its objects as `js`, and the objects as `csv`, `obj`, `stl`, `gltf` or `glb`.
      * @param {string} format

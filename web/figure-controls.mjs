@@ -10,6 +10,7 @@ import { ValuesPanel } from './values-panel.mjs';
  * @property {import('./figure-toolbar.mjs').Actions} actions
  * @property {() => any} kw undefined until the module is there
  * @property {(command: any, final: boolean) => any} run
+ * @property {(step: number) => void} setStep of the arrow keys
  * @property {(step: { source: string, frame: number, frames: number }) => void} stepped
  */
 
@@ -97,11 +98,26 @@ export class FigureControls {
         this.#shownRevision = -1;
     }
 
+    /**
+     * The exact values of what is selected: the focus goes to their first field.
+     * @param {import('./figure-handles.mjs').Held} held
+     */
+    focusValues(held) {
+        if (!this.#panel) return false;
+        if (!this.#open) this.host.actions.toggleValues();
+        return this.#panel.focusAt(held);
+    }
+
+    /** @param {number | undefined} step of the arrow keys; undefined where nothing is selected */
+    showStep(step) {
+        this.#panel?.step?.show(step);
+    }
+
     /** @param {import('./figure.mjs').Wishes} wishes */
     #makePanel({ words, readOnly, controls }) {
         const kw = this.host.kw();
         if (!kw || !['full', 'values'].includes(controls)) return undefined;
-        return new ValuesPanel({ words, kw, readOnly, run: this.host.run });
+        return new ValuesPanel({ words, kw, readOnly, run: this.host.run, setStep: this.host.setStep });
     }
 
     /** @param {import('./figure.mjs').Wishes} wishes */

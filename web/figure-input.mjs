@@ -14,6 +14,7 @@ function modifiersOf(event) {
         (event.altKey ? altBit : 0);
 }
 
+const runPause = 700;  // milliseconds after which presses of arrow keys are no longer one run
 const lineHeight = 16;  // CSS pixels that a wheel's "line" stands for
 
 export class FigureInput {
@@ -23,12 +24,20 @@ export class FigureInput {
     /** @type {Map<number, { x: number, y: number }>} where fingers are, by pointer */
     #fingers = new Map();
     #pinching = false;
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    #running;
+    /** Whether the pointer that is down was a click that places. */
+    #placing = false;
 
     /**
      * @param {HTMLElement} wrapper
      * @param {{ app: App, id: number, acted: () => void, readOnly: () => boolean,
-     *     wheelZoom: () => string, shortcut: (event: KeyboardEvent) => boolean }} target `acted` is
-     *     told after all that the application was told; `shortcut` gets the keys it had no use for
+     *     wheelZoom: () => string, shortcut: (event: KeyboardEvent) => boolean,
+     *     before: (event: KeyboardEvent) => boolean, pressed: (key: string) => void,
+     *     places: (x: number, y: number) => boolean }} target `acted` is told after all that the
+     *     application was told; `before` has the first and `shortcut` the last chance at a key, and
+     *     `pressed` hears of those that the application took; `places` answers whether a press was
+     *     one that puts something there
      */
     constructor(wrapper, target) {
         this.wrapper = wrapper;
@@ -43,13 +52,39 @@ export class FigureInput {
         wrapper.addEventListener('wheel', (event) => this.#wheel(event), active);
         wrapper.addEventListener('keydown', (event) => this.#key(event, true), options);
         wrapper.addEventListener('keyup', (event) => this.#key(event, false), options);
-        wrapper.addEventListener('focus', () => this.#focused(), options);
-        wrapper.addEventListener('blur', () => this.#releaseKeys(), options);
+        wrapper.addEventListener('focusin', () => this.#focused(), options);
+        wrapper.addEventListener('focusout', (event) => {
+            if (!wrapper.contains(/** @type {Node | null} */ (event.relatedTarget))) this.#releaseKeys();
+        }, options);
     }
 
     dispose() {
+        clearTimeout(this.#running);
         this.#abort.abort();
     }
+
+    /** The presses of arrow keys up to now are a gesture of their own; tells whether there were any. */
+    settle() {
+        if (this.#running === undefined) return false;
+        clearTimeout(this.#running);
+        this.#running = undefined;
+        this.target.app.key(this.target.id, 'ArrowRight', false, 0);
+        this.target.acted();
+        return true;
+    }
+
+    /** Further presses within a moment belong to the same run. */
+    run() {
+        clearTimeout(this.#running);
+        this.#running = setTimeout(() => this.settle(), runPause);
+    }
+
+    /** Whether a pointer has something in its hand. */
+    get busy() {
+        return this.#down;
+    }
+
+    #down = false;
 
     /** What a finger may do across the picture is the browser's to know before it comes down. */
     follow() {
@@ -76,11 +111,32 @@ export class FigureInput {
         if (event.pointerType === 'touch' && this.#pinch(kind, event)) return;
         const { app, id } = this.target;
         const { x, y } = this.#place(event);
+        if (this.#places(kind, event, x, y)) return;
+        if (kind === 'down') this.settle();
+        if (kind !== 'move') this.#down = kind === 'down';
         if (kind === 'down') app.focus(id);  // before the press, which a change of focus would end
         const taken = app.pointer(id, kind, x, y, event.buttons, modifiersOf(event), event.pointerType);
         if (kind === 'down' && taken) this.wrapper.setPointerCapture(event.pointerId);
         this.wrapper.style.cursor = app.cursor(id) || 'default';
         this.target.acted();
+    }
+
+    /**
+     * A press that places belongs to the click until it is let go.
+     * @param {string} kind
+     * @param {PointerEvent} event
+     * @param {number} x
+     * @param {number} y
+     */
+    #places(kind, event, x, y) {
+        if (kind === 'down' && event.button === 0 && this.target.places(x, y)) {
+            this.#placing = true;
+            this.target.acted();
+            return true;
+        }
+        const was = this.#placing;
+        if (kind !== 'move') this.#placing = false;
+        return was && kind !== 'leave';
     }
 
     /**
@@ -139,7 +195,7 @@ export class FigureInput {
         const mode = this.target.wheelZoom();
         let modifiers = modifiersOf(event);
         if (mode === 'never' && (modifiers & commandBit)) return;
-        if (mode === 'focus' && this.wrapper.matches(':focus')) modifiers |= commandBit;
+        if (mode === 'focus' && this.wrapper.matches(':focus-within')) modifiers |= commandBit;
         const unit = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? lineHeight : 1;
         const { x, y } = this.#place(event);
         const { app, id } = this.target;
@@ -156,7 +212,19 @@ export class FigureInput {
     #key(event, down) {
         if (event.key === 'Tab' || event.isComposing) return;
         const { app, id } = this.target;
+        const arrow = event.key.startsWith('Arrow');
+        if (arrow && !down) {
+            this.#keysDown.delete(event.key);  // the run may go on
+            return;
+        }
+        if (down && this.target.before(event)) {
+            event.preventDefault();
+            return;
+        }
+        if (down && !arrow && event.key !== 'Shift') this.settle();
         const taken = app.key(id, event.key, down, modifiersOf(event));
+        if (taken && arrow) this.run();
+        if (taken && down) this.target.pressed(event.key);
         if (taken || (down && this.target.shortcut(event))) event.preventDefault();
         if (down) this.#keysDown.add(event.key);
         else this.#keysDown.delete(event.key);
@@ -172,6 +240,7 @@ export class FigureInput {
 
     /** A key that is let go elsewhere would stay down here for ever. */
     #releaseKeys() {
+        this.settle();
         for (const key of this.#keysDown) this.target.app.key(this.target.id, key, false, 0);
         this.#keysDown.clear();
         this.target.acted();

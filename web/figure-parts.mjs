@@ -53,14 +53,14 @@ export function deferred() {
 /**
  * Hears of every change that is made through the scene's own methods, whoever calls them.
  * @param {any} scene
- * @param {(what: string, command: any) => void} changed
+ * @param {(what: string, command: any, answer: any) => void} changed
  */
 export function watch(scene, changed) {
     for (const name of ['execute', 'undo', 'redo']) {
         const original = scene[name];
         const heard = (/** @type {any} */ command) => {
             const answer = original.call(scene, command);
-            if (answer !== false) changed(name, command);
+            if (answer !== false) changed(name, command, answer);
             return answer;
         };
         Object.defineProperty(scene, name, { value: heard, configurable: true });

@@ -39,7 +39,7 @@ const layout = `
 }
 .view[data-space] { touch-action: pan-y; }
 .view canvas { position: absolute; inset: 0; width: 100%; height: 100%; }
-.view:focus-visible::after {
+.view:is(:focus-visible, :has(:focus-visible))::after {
     content: "";
     position: absolute;
     inset: 3px;
@@ -47,6 +47,22 @@ const layout = `
     border-radius: 9px;
     pointer-events: none;
 }
+.stage[data-placing] .view { cursor: crosshair !important; }
+.handle { position: absolute; inset: 0 auto auto 0; width: 0; height: 0; pointer-events: none; }
+.handle input[type="range"] { position: absolute; inset: -16px auto auto -16px; width: 32px; height: 32px;
+    min-width: 0; opacity: 0; }
+.handle:has(:focus-visible)::after { content: ""; position: absolute; inset: -13px auto auto -13px; width: 26px;
+    height: 26px; border: 2px solid var(--accent); border-radius: 50%; }
+.clicks { position: absolute; inset: auto auto 0.5rem 0.5rem; max-width: calc(100% - 1rem); display: flex;
+    flex-wrap: wrap; align-items: center; gap: 0.25rem 0.375rem; padding: 0.25rem 0.375rem 0.25rem 0.625rem;
+    border: 1px solid var(--line); border-radius: 8px; background: var(--ground); font-size: 0.8125rem; }
+.clicks[data-above] { inset-block: 0.5rem auto; }
+.clicks[data-busy] { visibility: hidden; }
+.clicks-name { font-weight: 600; padding-inline-end: 0.25rem; }
+.clicks-hint:empty { display: none; }
+.clicks-hint { color: var(--quiet); padding-inline-end: 0.25rem; }
+.quiet-button[aria-pressed="true"] { background: var(--accent); border-color: var(--accent);
+    color: var(--on-accent); }
 .fallback { position: absolute; inset: 0; display: grid; place-content: center; padding: 1.5rem;
     text-align: center; color: var(--quiet); overflow: auto; pointer-events: none; }
 .fallback p { margin: 0; }
@@ -137,6 +153,8 @@ input[type="range"]:disabled { opacity: 0.5; cursor: default; }
 @media (pointer: coarse) {
     .button { min-width: 44px; min-height: 44px; }
     input[type="range"] { height: 44px; }
+    .handle input[type="range"] { inset: -22px auto auto -22px; width: 44px; height: 44px; }
+    .clicks .quiet-button { min-width: 44px; }
 }
 `;
 
@@ -172,6 +190,7 @@ const values = `
     border-width: 0 1.5px 1.5px 0; transform: rotate(-45deg); }
 .object[open] > summary::before { transform: rotate(45deg); }
 .object > summary h2 { margin: 0; }
+.step { margin: 0 1.125rem 1rem; }
 .values h2 { margin: 1.125rem 0 0.25rem; font-size: 1rem; font-weight: 650; letter-spacing: -0.005em; }
 .values h3 { margin: 0; font-size: 0.875rem; font-weight: 600; }
 .values .shape { margin: 0 0 0.5rem; color: var(--quiet); }
@@ -290,7 +309,10 @@ const circumstances = `
 @media (forced-colors: active) {
     input[type="range"], input[type="checkbox"] { appearance: auto; -webkit-appearance: auto; }
     input[type="range"]::-webkit-slider-runnable-track { border: 1px solid CanvasText; }
-    .button:is([aria-pressed="true"], [aria-expanded="true"]) { outline: 2px solid Highlight; }
+    .button:is([aria-pressed="true"], [aria-expanded="true"]),
+    .quiet-button[aria-pressed="true"] { outline: 2px solid Highlight; }
+    .handle:not([hidden])::after { content: ""; position: absolute; inset: -13px auto auto -13px; width: 26px;
+        height: 26px; border: 2px solid Highlight; border-radius: 50%; }
 }
 `;
 

@@ -3,8 +3,10 @@
 
 import { setText } from './dom.mjs';
 import { FigureControls } from './figure-controls.mjs';
+import { FigureHands } from './figure-hands.mjs';
 import { FigureInput } from './figure-input.mjs';
 import { Announcer, deferred, makeParts, watch } from './figure-parts.mjs';
+import { doneSentence } from './figure-sentences.mjs';
 import { describe, selectFirst, showFailure, showRefusal } from './figure-telling.mjs';
 import { readSource } from './figure-source.mjs';
 import { figureSheet } from './figure-style.mjs';
@@ -48,6 +50,10 @@ export class Figure {
     #disposed = false;
     /** @type {FigureInput | undefined} */
     #input;
+    /** @type {FigureHands | undefined} */
+    #hands;
+    /** The change that was told last. @type {{ source: string, command: any, what?: string }} */
+    #done = { source: '', command: null };
     /** @type {(() => void)[]} */
     #awaitingPicture = [];
     /** Whether it can be seen is known; it can be seen. */
@@ -67,6 +73,10 @@ export class Figure {
             actions: this.#actions(),
             kw: () => this.kw,
             run: (command, final) => this.#run(command, final),
+            setStep: (step) => {
+                this.#stage?.app.setStep(this.view.id, step);
+                this.#follow();
+            },
             stepped: (step) => this.host.emit('step', step),
         });
         this.view = new FigureView(this.#parts.wrapper, {
@@ -141,7 +151,7 @@ export class Figure {
         this.#scene = scene;
         app.attach(this.view.id, scene.handle);
         former?.dispose();
-        watch(scene, (what, command) => this.#changed(what, command));
+        watch(scene, (what, command, answer) => this.#changed(what, command, answer));
         app.setPhase(this.view.id, 0);
         app.setPlaying(this.view.id, this.#moves && !this.host.wishes().still);
         this.#toldRevision = -1;
@@ -156,8 +166,20 @@ export class Figure {
         if (this.#disposed || this.#stage) return this.#stage;
         this.#stage = stage;
         const id = this.view.join(stage);
+        const hands = new FigureHands(this.#parts, {
+            app: stage.app, id,
+            wishes: () => this.host.wishes(),
+            say: (sentence) => this.#announcer.say(sentence),
+            acted: () => this.#acted(),
+            ran: () => this.#input?.run(),
+            openValues: (held) => this.controls.focusValues(held),
+        });
+        this.#hands = hands;
         this.#input = new FigureInput(this.#parts.wrapper, {
             app: stage.app, id,
+            before: (event) => hands.before(event),
+            pressed: (key) => hands.pressed(key),
+            places: (x, y) => hands.places(x, y),
             acted: () => this.#acted(),
             readOnly: () => this.host.wishes().readOnly,
             wheelZoom: () => this.host.wishes().wheelZoom,
@@ -171,10 +193,12 @@ export class Figure {
     // Commands
 
     undo() {
+        this.#input?.settle();
         return this.#as('history', () => this.#scene?.undo() ?? false);
     }
 
     redo() {
+        this.#input?.settle();
         return this.#as('history', () => this.#scene?.redo() ?? false);
     }
 
@@ -210,6 +234,13 @@ export class Figure {
     /** @param {number} by */
     step(by) {
         this.controls.step(by);
+    }
+
+    /** @param {string} path of what is to be selected and focused */
+    focusPoint(path) {
+        this.#stage?.app.select(this.view.id, path);
+        this.#request();
+        return this.#hands?.focus() ?? false;
     }
 
     fit() {
@@ -273,10 +304,12 @@ export class Figure {
     /**
      * @param {string} what
      * @param {any} command
+     * @param {any} answer what the scene said to it
      */
-    #changed(what, command) {
+    #changed(what, command, answer) {
         const source = what === 'execute' ? this.#source : 'history';
-        this.host.emit(this.#final ? 'change' : 'input', { source, command: command ?? null });
+        this.host.emit(this.#final ? 'change' : 'input', { source, path: answer?.path ?? '', command: command ?? null });
+        this.#done = { source, command, what };
         this.#refreshSoon();
         this.#request();
     }
@@ -285,18 +318,28 @@ export class Figure {
     #acted() {
         this.#tellEvents();
         this.controls.reveal(this.selection?.object ?? -1);
+        this.#follow();
         this.#request();
     }
 
     #tellEvents() {
         const text = this.#stage?.app.takeEvents(this.view.id);
         if (!text || text === '[]') return;
-        for (const { type, ...detail } of JSON.parse(text)) this.host.emit(type, detail);
+        for (const { type, ...detail } of JSON.parse(text)) {
+            this.host.emit(type, detail);
+            this.#done = detail;
+        }
         this.#refreshSoon();
+    }
+
+    #follow() {
+        this.#hands?.follow(this.#input?.busy ?? false);
+        this.controls.showStep(this.#hands?.held?.step);
     }
 
     #ticked() {
         this.#tellEvents();
+        this.#follow();
         this.#refreshToolbar();
     }
 
@@ -344,7 +387,8 @@ export class Figure {
         const { document } = scene;
         const sentence = describe(this.#parts, this.host.wishes().words, scene, document, this.#sceneName);
         const step = this.controls.showTrace(document, this.selection?.object ?? -1);
-        if (!opened) this.#announcer.say(step || sentence);
+        if (opened) return;
+        this.#announcer.say(step || doneSentence(this.host.wishes().words, this.#done, document, sentence));
     }
 
     #refreshToolbar() {
@@ -373,6 +417,7 @@ export class Figure {
         this.#parts.picture.style.aspectRatio = wishes.aspect;
         if (!this.#scene) setText(this.#parts.message, wishes.words.text('loading'));
         this.controls.apply(wishes);
+        this.#hands?.dress();
         this.#toldRevision = -1;
         this.#refresh();
         if (!this.#stage) return;
@@ -411,7 +456,10 @@ export class Figure {
 
     #selectFirst() {
         if (this.selection || !this.#scene || !this.#stage) return false;
-        return selectFirst(this.#stage.app, this.view.id, this.#scene.document);
+        if (!selectFirst(this.#stage.app, this.view.id, this.#scene.document)) return false;
+        this.#hands?.follow(false);
+        this.#hands?.tell();
+        return true;
     }
 
     /** @param {string} reason */

@@ -17,6 +17,7 @@ export const pictureKeys = [
     { does: 'help.turn', keys: ['ArrowLeft', 'ArrowRight', 'ArrowUp', 'ArrowDown'] },
     { does: 'help.look', keys: ['1', '3', '7', '5'] },
     { does: 'help.remove', keys: ['Delete', 'Backspace'] },
+    { does: 'help.values', keys: ['Enter'] },
     { does: 'help.escape', keys: ['Escape'] },
     { does: 'help.zoom', keys: ['+', '=', '-'] },
     { does: 'help.fit', keys: ['0'] },

@@ -42,6 +42,10 @@ import { makeApi } from './api.mjs';
  * @property {(id: number) => string} takeEvents
  * @property {(id: number) => string} selection
  * @property {(id: number, path: string) => void} select
+ * @property {(id: number) => string} held
+ * @property {(id: number, step: number) => void} setStep
+ * @property {(id: number, dx: number, dy: number, dz: number) => boolean} shift
+ * @property {(id: number, x: number, y: number, how: string) => boolean} place
  * @property {() => string} stats
  * @property {() => void} delete
  */

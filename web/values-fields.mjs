@@ -36,6 +36,8 @@ import { NumberInput } from './values-number.mjs';
  * @typedef {object} FieldControl
  * @property {HTMLElement} element
  * @property {(field: FieldDescription) => void} update
+ * @property {(k: number, local: any, list: string) => boolean} [focusAt] of a
+ *     list: focuses an element's fields
  */
 
 /** The place beside a control where a refused command says why. */

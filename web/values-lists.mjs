@@ -219,6 +219,24 @@ export class ListTable {
         this.#showPage();
     }
 
+    /**
+     * Focuses the fields of an element, or what adds it where the list leaves it out.
+     * @param {number} k
+     * @param {any} local of a pose, which says where it stands
+     */
+    focusAt(k, local) {
+        const named = JSON.stringify(local);
+        const row = local === undefined ? k
+            : this.#list.findIndex((pose) => JSON.stringify(pose.local) === named);
+        this.element.open = true;
+        if (row >= 0) this.pager.turnTo(row);
+        const input = this.#rows[row - this.#first]?.inputs[0]?.element ?? this.newNumber?.element;
+        if (row < 0 && typeof local === 'number') this.newNumber?.show(local);
+        input?.focus();
+        input?.select();
+        return input !== undefined;
+    }
+
     /** @param {string[]} columns */
     #buildHead(columns) {
         const { words } = this.around;

@@ -52,6 +52,14 @@ export class NetTable {
         if (row.path === this.#shown) this.#table?.update(row);
     }
 
+    /** @param {number} k @param {any} local @param {string} row its path */
+    focusAt(k, local, row) {
+        this.element.open = true;
+        if (row !== this.#shown) this.#choose(row);
+        this.select.value = row;
+        return this.#table?.focusAt(k, local) ?? false;
+    }
+
     /** @param {string} path */
     #choose(path) {
         const row = this.#rows.get(path);
@@ -99,6 +107,11 @@ export class MeshFields {
         this.vertices.update({ path: '', label: '', kind: 'points', value: vertices });
         this.faces.hidden = vertices.length === 0;
         setText(this.faces, this.around.words.text('mesh.faces', { count: value?.faces?.length ?? 0 }));
+    }
+
+    /** @param {number} k @param {any} local */
+    focusAt(k, local) {
+        return this.vertices.focusAt(k, local);
     }
 
     #choose() {

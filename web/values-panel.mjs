@@ -9,6 +9,7 @@ import { makeList } from './values-lists.mjs';
 import { MeshFields, netOf, NetTable } from './values-nets.mjs';
 import { PatchPoses } from './values-poses.mjs';
 import { Readout } from './values-readout.mjs';
+import { StepField } from './values-step.mjs';
 import { TraceChoice } from './values-trace.mjs';
 
 /** @typedef {import('./values-fields.mjs').FieldDescription} FieldDescription */
@@ -21,6 +22,7 @@ import { TraceChoice } from './values-trace.mjs';
  * @property {any} kw
  * @property {boolean} readOnly
  * @property {(command: any, final: boolean) => any} run executes a command, answers its refusal
+ * @property {(step: number) => void} setStep of the arrow keys, 0 where the zoom is to decide
  */
 
 export class ValuesPanel {
@@ -36,6 +38,8 @@ export class ValuesPanel {
             class: 'values',
             attributes: { 'aria-label': host.words.text('values') },
         }, this.inner);
+        this.step = host.readOnly ? undefined : new StepField(host.words, host.setStep);
+        if (this.step) this.element.append(this.step.element);
     }
 
     /**
@@ -60,6 +64,18 @@ export class ValuesPanel {
     }
 
     #revealed = -1;
+
+    /**
+     * Focuses the fields of an element of a list; answers whether there are any.
+     * @param {import('./figure-handles.mjs').Held} held
+     */
+    focusAt({ path, local }) {
+        const [, object, list, row] = /^objects\[(\d+)\]\.(.+)\[(\d+)\]$/.exec(path) ?? [];
+        this.#sections[Number(object)]?.open();
+        const controls = this.#sections[Number(object)]?.controls;
+        const control = controls?.get(list) ?? controls?.get(list.replace(/\.\w+$/, ''));
+        return control?.focusAt?.(Number(row), local, list) ?? false;
+    }
 
     /** @param {ObjectDescription[]} objects */
     #build(objects) {

@@ -55,6 +55,20 @@ export class PatchPoses {
         this.#showPage();
     }
 
+    /**
+     * Focuses the fields of a patch's pose, or what poses another where it stands as the model has it.
+     * @param {number} _
+     * @param {any} local the patch
+     */
+    focusAt(_, local) {
+        this.element.open = true;
+        const k = this.#list.findIndex((pose) => String(pose.local) === String(local));
+        if (k >= 0) this.pager.turnTo(k);
+        const input = this.#cards[k - this.#first]?.inputs[1][0].element ?? this.element.querySelector('button.quiet-button');
+        /** @type {HTMLElement | null} */ (input)?.focus();
+        return input !== null;
+    }
+
     /** @param {number} first */
     #turnTo(first) {
         this.#first = first;

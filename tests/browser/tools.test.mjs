@@ -207,6 +207,8 @@ describe('the help', { timeout: 300_000 }, () => {
             taken.add({ pagedown: 'PageDown', pageup: 'PageUp' }[key] ?? key);
         }
         for (const [, key] of (await read('web/page.mjs')).matchAll(/key !== '([^']+)'/g)) taken.add(key);
+        for (const [, key] of (await read('web/figure-hands.mjs')).matchAll(/event\.key === '([^']+)'/g)) taken.add(key);
+        for (const end of ['Home', 'End']) taken.delete(end);  // kept from the sliders, to no effect
         taken.add('v');  // the browser's own command for pasting
         const told = new Set([...pictureKeys, ...pageKeys].flatMap(({ keys }) => keys));
         assert.deepEqual([...told].sort(), [...taken].sort());

@@ -1,0 +1,189 @@
+// One command, many hands: by mouse, by keys, by single clicks, in fields and by code it is the same
+// document, the same step of history and the same report.
+import assert from 'node:assert/strict';
+import { describe, it } from 'node:test';
+
+import { assertSilent, documentOf, figureReady, openPage, settle, useBrowser } from './support.mjs';
+
+const running = useBrowser();
+const runPause = 900;  // after which a run of arrow keys is over
+
+async function opened(scene = 'bspline-forms', options = {}) {
+    const shown = await openPage(running, `#${scene}`, options);
+    await figureReady(shown.page);
+    await shown.page.evaluate(() => {
+        const figure = document.querySelector('knotwork-figure');
+        globalThis.told = [];
+        for (const type of ['input', 'change']) {
+            figure.addEventListener(type, ({ detail }) => { if (detail?.source) globalThis.told.push({ type, ...detail }); });
+        }
+        globalThis.start = figure.value;
+    });
+    return shown;
+}
+
+/** Everything as it was opened, nothing told. */
+async function anew(page) {
+    await page.evaluate(() => {
+        const figure = document.querySelector('knotwork-figure');
+        figure.value = globalThis.start;
+        globalThis.told.length = 0;
+    });
+    await settle(page);
+}
+
+/** Document, steps of history and the finished changes without source and name of gesture. */
+const outcome = (page) => page.evaluate(() => {
+    const figure = document.querySelector('knotwork-figure');
+    const document_ = figure.value;
+    let steps = 0;
+    const finished = globalThis.told.filter(({ type }) => type === 'change');
+    const changes = finished.map(({ path, command }) => ({ path, command: { ...command, gesture: undefined } }));
+    const sources = [...new Set(finished.map(({ source }) => source))];
+    while (figure.scene.undo()) steps += 1;
+    return { same: JSON.parse(JSON.stringify({ document: document_, steps, changes })), sources };
+});
+
+const focus = (page, path) => page.evaluate((p) => document.querySelector('knotwork-figure').focusPoint(p), path);
+
+async function pressed(page, path, ...keys) {
+    await focus(page, path);
+    for (const key of keys) await page.keyboard.press(key);
+    await page.waitForTimeout(runPause);
+}
+
+const executed = (page, command) => page.evaluate((c) => document.querySelector('knotwork-figure').scene.execute(c), command);
+const field = (page, name) => page.getByRole('spinbutton', { name, exact: true });
+
+async function typed(page, name, value) {
+    await field(page, name).fill(value);
+    await field(page, name).press('Enter');
+}
+
+/** Runs a command each way; all come to the same, and each says whose hand it was. */
+async function assertSame(page, ways) {
+    let first;
+    for (const [source, way] of ways) {
+        await anew(page);
+        await way();
+        const { same, sources } = await outcome(page);
+        assert.deepEqual(sources, [source], 'the source');
+        assert.equal(same.steps, 1, `one step of history by ${source}`);
+        first ??= same;
+        assert.deepEqual(same, first, `by ${source}`);
+    }
+    const before = await page.evaluate(() => globalThis.start);
+    assert.notDeepEqual(first.document, before, 'something has changed');
+}
+
+describe('the same by every hand', { timeout: 120_000 }, () => {
+    it('removes a point', async () => {
+        const shown = await opened();
+        const { page } = shown;
+        await assertSame(page, [
+            ['key', () => pressed(page, 'objects[0].points[2]', 'Delete')],
+            ['field', () => page.getByRole('button', { name: 'Remove point 3', exact: true }).click()],
+            ['api', () => executed(page, { remove: 'objects[0].points[2]' })],
+        ]);
+        await assertSilent(shown);
+        await shown.context.close();
+    });
+
+    it('adds a point and inserts a knot', async () => {
+        const { page, context } = await opened();
+        let value;
+        const add = page.getByRole('button', { name: 'Add a point' });
+        await assertSame(page, [
+            ['field', async () => {
+                await add.click();
+                value = (await documentOf(page)).objects[0].points.at(-1);
+            }],
+            ['field', () => add.press('Enter')],
+            ['api', async () => executed(page, { insert: `objects[0].points[${(await documentOf(page)).objects[0].points.length}]`, value })],
+        ]);
+        const { id } = (await documentOf(page)).objects[0];
+        const insert = page.getByRole('button', { name: 'Insert', exact: true });
+        await assertSame(page, [
+            ['field', async () => { await field(page, 'Insert a knot at').fill('1.5'); await insert.click(); }],
+            ['field', () => typed(page, 'Insert a knot at', '1.5')],
+            ['api', () => executed(page, { insertKnot: { object: id, at: 1.5 } })],
+        ]);
+        await context.close();
+    });
+
+    it('sets degree, form and a parameter of the B-function', async () => {
+        const { page, context } = await opened();
+        await assertSame(page, [
+            ['field', () => typed(page, 'Degree', '2')],
+            ['field', () => field(page, 'Degree').press('ArrowDown')],
+            ['api', () => executed(page, { set: 'objects[0].degree', value: 2 })],
+        ]);
+        await assertSame(page, [
+            ['field', () => page.locator('knotwork-figure [data-path="form"] select').selectOption('closed')],
+            ['api', () => executed(page, { set: 'objects[0].form', value: 'closed' })],
+        ]);
+        await context.close();
+    });
+});
+
+describe('what is selected', { timeout: 120_000 }, () => {
+    const focused = (page) => page.evaluate(() => {
+        const { activeElement } = document.querySelector('knotwork-figure').shadowRoot;
+        return { type: activeElement?.type, group: activeElement?.parentElement?.getAttribute('aria-label'),
+            label: activeElement?.getAttribute('aria-label'), text: activeElement?.getAttribute('aria-valuetext') };
+    });
+
+    it('is a group of sliders that says which it is and where it stands', async () => {
+        const { page, context } = await opened();
+        const [[x, y]] = (await documentOf(page)).objects[0].points;
+        await page.locator('knotwork-figure .view').focus();
+        await page.keyboard.press('PageDown');
+        const minus = (value) => String(value).replace('-', '−');
+        assert.deepEqual(await focused(page), { type: 'range', group: 'Control point 1 of 7', label: 'x', text: `x ${minus(x)}, y ${minus(y)}` });
+        await page.keyboard.press('ArrowUp');
+        assert.equal((await focused(page)).label, 'y');
+        await page.keyboard.press('PageDown');
+        assert.equal((await focused(page)).group, 'Control point 2 of 7');
+        await page.keyboard.press('Enter');
+        assert.equal((await focused(page)).label, 'Point 2, x');
+        await focus(page, 'objects[0].points[6]');
+        await page.keyboard.press('Delete');
+        assert.equal((await focused(page)).group, 'Control point 6 of 6');
+        await page.keyboard.press('Escape');
+        assert.equal((await focused(page)).type, undefined);
+        await context.close();
+    });
+
+    it('is one tab stop with the picture', async () => {
+        const { page, context } = await opened();
+        const stops = () => page.evaluate(() => [...document.querySelector('knotwork-figure').shadowRoot
+            .querySelectorAll('.view, .view *')].filter((node) => node.tabIndex === 0 && node.getClientRects().length > 0).length);
+        assert.equal(await stops(), 1);
+        await focus(page, 'objects[0].points[2]');
+        assert.equal(await stops(), 1);
+        await context.close();
+    });
+
+    it('has decimal commas in bokmål, and what was done is said', async () => {
+        const { page, context } = await opened('bspline-forms', { locale: 'nb-NO' });
+        await executed(page, { move: 'objects[0].points[1]', to: [-3.25, 2.5] });
+        await focus(page, 'objects[0].points[1]');
+        assert.deepEqual(await focused(page), { type: 'range', group: 'Kontrollpunkt 2 av 7', label: 'x', text: 'x −3,25, y 2,5' });
+        await page.waitForTimeout(runPause);
+        assert.equal(await page.locator('knotwork-figure [role=status]').first().textContent(), 'Punkt 2 flyttet til x −3,25, y 2,5.');
+        await context.close();
+    });
+
+    it('stays where it is while Escape leaves the mode of clicks', async () => {
+        const { page, context } = await opened();
+        const before = await documentOf(page);
+        await focus(page, 'objects[0].points[2]');
+        const move = page.getByRole('group', { name: 'By clicks' }).getByRole('button', { name: 'Move', exact: true });
+        await move.click();
+        assert.equal(await move.getAttribute('aria-pressed'), 'true');
+        await page.keyboard.press('Escape');
+        assert.equal(await move.getAttribute('aria-pressed'), 'false');
+        assert.deepEqual(await documentOf(page), before);
+        await context.close();
+    });
+});

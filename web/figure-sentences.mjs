@@ -1,0 +1,126 @@
+// What is selected and what a command did, in sentences to be read aloud.
+
+/** @typedef {import('./figure-handles.mjs').Held} Held */
+/** @typedef {import('./words.mjs').Words} Words */
+
+/**
+ * "Control point 3 of 7"
+ * @param {Words} words
+ * @param {Held} held
+ */
+export function heldName(words, held) {
+    const { number, count } = held;
+    const row = /\[(\d+)\]\[(\d+)\]$/.exec(held.path);
+    if (row) return words.text('held.net', { number, count, row: Number(row[1]) + 1, column: Number(row[2]) + 1 });
+    return words.text(`held.${nounOf(held)}`, { number, count });
+}
+
+/** @param {{ kind: string, path: string, local?: any }} held */
+function nounOf({ kind, path, local }) {
+    if (kind === 'pose') return Array.isArray(local) ? 'patch' : 'local';
+    return path.includes('.vertices[') ? 'vertex' : kind;
+}
+
+/**
+ * "x 1.25, y 0.5"; of a local also how it is turned and scaled.
+ * @param {Words} words
+ * @param {Held} held
+ */
+export function heldValues(words, { kind, value, spatial }) {
+    if (kind === 'knot') return `t ${words.number(value)}`;
+    if (kind === 'point') return coordinates(words, value);
+    const { translate, angle, scale } = value;
+    const parts = [coordinates(words, translate.slice(0, spatial ? 3 : 2))];
+    if (angle !== 0) parts.push(words.text('held.turned', { degrees: Math.round(angle * 180 / Math.PI) }));
+    if (scale.some((/** @type {number} */ factor) => factor !== 1)) {
+        const even = scale[0] === scale[1] && scale[1] === scale[2];
+        parts.push(words.text('held.scaled', { factor: even ? scale[0] : scale.map((/** @type {number} */ f) => words.number(f)).join(' × ') }));
+    }
+    return parts.join(', ');
+}
+
+/**
+ * @param {Words} words
+ * @param {number[]} point
+ */
+export function coordinates(words, point) {
+    return point.map((value, k) => `${'xyz'[k]} ${words.number(value)}`).join(', ');
+}
+
+/**
+ * What was done, and what the shape is after it: "Knot inserted at 0.5. B-spline curve: degree 3,
+ * 8 points, clamped, C²."
+ * @param {Words} words
+ * @param {{ source: string, command: any, what?: string }} change
+ * @param {any} document after it
+ * @param {string} shape the sentence about what there is now
+ */
+export function doneSentence(words, { command, what }, document, shape) {
+    if (what === 'undo' || command?.undo) return words.text('said.undone', { shape });
+    if (what === 'redo' || command?.redo) return words.text('said.redone', { shape });
+    if (!command) return shape;
+    if (typeof command.move === 'string') return movedSentence(words, command.move, document, shape);
+    if (command.insertKnot) return words.text('said.knot-inserted', { at: command.insertKnot.at, shape });
+    for (const done of ['insert', 'remove']) {
+        const place = placeOf(command[done]);
+        if (place) return words.text(`said.${done}`, { name: nameOf(words, place), shape });
+    }
+    if (command.pose) return posedSentence(words, command.pose);
+    return shape;
+}
+
+/**
+ * @param {Words} words
+ * @param {string} path
+ * @param {any} document
+ * @param {string} shape
+ */
+function movedSentence(words, path, document, shape) {
+    const place = placeOf(path);
+    const value = place && valueAt(document, path);
+    if (!place || value === undefined) return shape;
+    const name = nameOf(words, place);
+    if (typeof value === 'number') return words.text('said.knot-moved', { name, value, shape });
+    return words.text('said.moved', { name, value: coordinates(words, value) });
+}
+
+/**
+ * @param {Words} words
+ * @param {any} pose
+ */
+function posedSentence(words, { local, translate, rotate, scale = 1 }) {
+    const list = Array.isArray(local);
+    const name = words.text(list ? 'said.patch' : 'said.local', { number: list ? local.map((/** @type {number} */ k) => k + 1).join(', ') : local + 1 });
+    const [x = 0, y = 0, z = 0] = translate ?? [];
+    const factors = typeof scale === 'number' ? [scale, scale, scale] : scale;
+    const value = { translate: [x, y, z], angle: rotate?.angle ?? 0, scale: factors };
+    const told = heldValues(words, /** @type {any} */ ({ kind: 'pose', value, spatial: list || z !== 0 }));
+    return words.text('said.moved', { name, value: told });
+}
+
+/**
+ * The list and the number that a path ends with.
+ * @param {any} path
+ */
+function placeOf(path) {
+    const [, list, index] = (typeof path === 'string' && /\.(\w+)(?:\[\d+\])*\[(\d+)\]$/.exec(path)) || [];
+    return list ? { list, number: Number(index) + 1 } : undefined;
+}
+
+/**
+ * @param {Words} words
+ * @param {{ list: string, number: number }} place
+ */
+function nameOf(words, { list, number }) {
+    const noun = { points: 'point', vertices: 'vertex', knots: 'knot' }[list];
+    return noun ? words.text(`said.${noun}`, { number }) : words.text('said.element', { number });
+}
+
+/**
+ * @param {any} document
+ * @param {string} path such as objects[0].points[2]
+ */
+function valueAt(document, path) {
+    const steps = path.match(/\w+/g) ?? [];
+    return steps.reduce((value, step) => value?.[step], document);
+}
