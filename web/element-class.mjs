@@ -122,6 +122,11 @@ export class KnotworkFigure extends Base {
         this.#figure?.reset();
     }
 
+    /** The picture has the keyboard. @param {FocusOptions} [options] */
+    focus(options) {
+        this.#figure?.focus(options);
+    }
+
     /**
      * Selects an element of the document, such as `objects[0].points[2]`, and gives it the focus;
      * answers whether the picture shows it.

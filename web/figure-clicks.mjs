@@ -7,7 +7,8 @@ import { heldName } from './figure-sentences.mjs';
 /** @typedef {import('./figure-handles.mjs').Held} Held */
 /** @typedef {'move' | 'turn' | 'scale'} How */
 
-const rim = 64;  // CSS pixels: what is selected nearer to the lower edge has the bar at the upper
+const rim = 72;      // CSS pixels: what is selected nearer to the upper edge may lie under the bar
+const narrow = 640;  // a picture that has no room for the bar beside what is selected
 
 export class ClickBar {
     /** @type {How | null} what the next click does */
@@ -49,8 +50,14 @@ export class ClickBar {
         if (!held) return;
         setText(this.name, heldName(this.words, held));
         for (const [how, button] of this.#buttons) button.hidden = how !== 'move' && held.kind !== 'pose';
-        const above = held.pixel[1] > this.picture.clientHeight - rim;
-        setAttributes(this.element, { 'data-busy': null, 'data-above': above });
+        setAttributes(this.element, { 'data-busy': null, 'data-at': this.#corner(held.pixel) });
+    }
+
+    /** Out of the way of what is selected. @param {[number, number]} pixel */
+    #corner([x, y]) {
+        const { clientWidth: width } = this.picture;
+        if (y > rim || (width >= narrow && x < width / 2)) return null;
+        return width < narrow ? 'below' : 'left';
     }
 
     /** @param {How | null} how */

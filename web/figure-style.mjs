@@ -53,15 +53,16 @@ const layout = `
     min-width: 0; opacity: 0; }
 .handle:has(:focus-visible)::after { content: ""; position: absolute; inset: -13px auto auto -13px; width: 26px;
     height: 26px; border: 2px solid var(--accent); border-radius: 50%; }
-.clicks { position: absolute; inset: auto auto 0.5rem 0.5rem; max-width: calc(100% - 1rem); display: flex;
+.clicks { position: absolute; inset: 0.5rem 0.5rem auto auto; max-width: calc(100% - 1rem); display: flex;
     flex-wrap: wrap; align-items: center; gap: 0.25rem 0.375rem; padding: 0.25rem 0.375rem 0.25rem 0.625rem;
     border: 1px solid var(--line); border-radius: 8px; background: var(--ground); font-size: 0.8125rem; }
-.clicks[data-above] { inset-block: 0.5rem auto; }
+.clicks[data-at="left"] { inset-inline: 0.5rem auto; }
+.clicks[data-at="below"] { inset-block: auto 0.5rem; }
 .clicks[data-busy] { visibility: hidden; }
 .clicks-name { font-weight: 600; padding-inline-end: 0.25rem; }
 .clicks-hint:empty { display: none; }
 .clicks-hint { color: var(--quiet); padding-inline-end: 0.25rem; }
-.quiet-button[aria-pressed="true"] { background: var(--accent); border-color: var(--accent);
+.quiet-button[aria-pressed="true"]:is(*, :hover) { background: var(--accent); border-color: var(--accent);
     color: var(--on-accent); }
 .fallback { position: absolute; inset: 0; display: grid; place-content: center; padding: 1.5rem;
     text-align: center; color: var(--quiet); overflow: auto; pointer-events: none; }
@@ -190,7 +191,8 @@ const values = `
     border-width: 0 1.5px 1.5px 0; transform: rotate(-45deg); }
 .object[open] > summary::before { transform: rotate(45deg); }
 .object > summary h2 { margin: 0; }
-.step { margin: 0 1.125rem 1rem; }
+.step { position: sticky; inset-block-end: 0; padding: 0.375rem 1.125rem; background: var(--ground);
+    border-block-start: 1px solid var(--line); }
 .values h2 { margin: 1.125rem 0 0.25rem; font-size: 1rem; font-weight: 650; letter-spacing: -0.005em; }
 .values h3 { margin: 0; font-size: 0.875rem; font-weight: 600; }
 .values .shape { margin: 0 0 0.5rem; color: var(--quiet); }

@@ -236,6 +236,11 @@ export class Figure {
         this.controls.step(by);
     }
 
+    /** @param {FocusOptions} [options] */
+    focus(options) {
+        this.#parts.wrapper.focus(options);
+    }
+
     /** @param {string} path of what is to be selected and focused */
     focusPoint(path) {
         this.#stage?.app.select(this.view.id, path);

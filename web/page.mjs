@@ -44,6 +44,10 @@ class Page {
         window.addEventListener('hashchange', () => this.route());
         window.addEventListener('pagehide', () => keepNow());
         this.figure.addEventListener('change', () => this.#changed());
+        document.querySelector('.skip')?.addEventListener('click', (event) => {
+            event.preventDefault();  // the address names the scene
+            this.figure.focus();
+        });
     }
 
     async start() {
