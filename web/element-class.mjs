@@ -122,7 +122,7 @@ export class KnotworkFigure extends Base {
         this.#figure?.reset();
     }
 
-    /** The picture has the keyboard. @param {FocusOptions} [options] */
+    /** The picture has the keyboard. @override @param {FocusOptions} [options] */
     focus(options) {
         this.#figure?.focus(options);
     }
