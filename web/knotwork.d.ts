@@ -917,7 +917,8 @@ export type Shown =
 
 export type SceneObject = (CurveSpec | SurfaceSpec | SubdivisionSurfaceSpec | PointCloudSpec | BFunctionGraphSpec) & {
     id?: string;
-    style?: { colour?: string; width?: number };
+    /** `opacity` from 0 to 1; `colourBy` says what the colours of a surface show. */
+    style?: { colour?: string; width?: number; opacity?: number; colourBy?: 'colour' | 'gaussian' | 'mean' };
     show?: Partial<Record<Shown, boolean>>;
     /** Where the curve is measured; the middle of its domain if it is left out. */
     t?: number;

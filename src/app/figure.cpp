@@ -3,6 +3,7 @@
 #include "app/emphasis.hpp"
 #include "ui/basis_plot.hpp"
 #include "ui/bfunction_plot.hpp"
+#include "ui/legend.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -168,6 +169,23 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
     figure.panes.push_back(std::move(pane));
 }
 
+/// A bar for each surface that is coloured by its curvature, in the corner of the pane of curves.
+void addLegends(Figure& figure, const FigureRequest& request, const Box& box,
+                const ui::Theme& colours) {
+    std::size_t place = 0;
+    for (const Shape& shape : request.drawing->shapes) {
+        if (!(shape.range > 0)) continue;
+        const scene::Object& object =
+            *request.state->objects[static_cast<std::size_t>(shape.object)];
+        const bool gaussian = object.style.colouring == scene::Colouring::gaussian;
+        PaneFigure pane;
+        pane.plot = ui::curvatureLegend(box, place++, (gaussian ? "K  " : "H  ") + object.id,
+                                        shape.range, colours);
+        pane.sight = Sight(pane.plot.map);
+        figure.panes.push_back(std::move(pane));
+    }
+}
+
 void addPlot(Figure& figure, ui::Plot plot, int object, const FigureRequest& request) {
     PaneFigure pane;
     plot.object = object;
@@ -299,6 +317,7 @@ Figure composeFigure(const FigureRequest& request, const ui::FigureLayout& layou
         ui::theme(request.dark ? ui::ThemeName::dark : ui::ThemeName::light);
     Figure figure;
     if (layout.curve) addCurvePane(figure, request, *layout.curve, camera, colours);
+    if (layout.curve) addLegends(figure, request, *layout.curve, colours);
     addParameterPanes(figure, request, layout, colours);
     if (layout.bFunction) addBFunction(figure, request, *layout.bFunction, colours);
     if (layout.hodograph) {

@@ -9,13 +9,14 @@ namespace knotwork::drawing {
 
 namespace {
 
-void drawTriangles(Sketch& sketch, const Mesh& mesh) {
-    Shape& shape = sketch.add(Role::surface, Kind::triangles, 1);
-    append(shape, mesh.points());
-    shape.normals.resize(shape.positions.size());
-    vertexNormals(mesh, shape.normals);
-    completeNormals(shape.normals);
-    shape.indices = triangleIndices(mesh);
+void drawMesh(Sketch& sketch, const Mesh& mesh) {
+    std::vector<double> positions;
+    positions.reserve(3 * mesh.points().size());
+    for (const Vec3& p : mesh.points()) positions.insert(positions.end(), {p.x, p.y, p.z});
+    std::vector<double> normals(positions.size());
+    vertexNormals(mesh, normals);
+    completeNormals(normals);
+    drawTriangles(sketch, std::move(positions), std::move(normals), triangleIndices(mesh));
 }
 
 void drawEdges(Sketch& sketch, const Mesh& mesh, Role role, float width) {
@@ -32,7 +33,7 @@ void drawEdges(Sketch& sketch, const Mesh& mesh, Role role, float width) {
 void drawMeshFigure(Sketch& sketch, const scene::SubdivisionSurface& surface) {
     const scene::Show& show = sketch.show();
     if (show.sphere) drawSphere(sketch, surface.refined.points());
-    if (show.surface) drawTriangles(sketch, surface.refined);
+    if (show.surface) drawMesh(sketch, surface.refined);
     if (show.wireframe) drawEdges(sketch, surface.refined, Role::wireframe, 0.75F);
     if (show.polygon) drawEdges(sketch, surface.control, Role::polygon, 1.25F);
     if (!show.points) return;

@@ -1,4 +1,5 @@
 // What surfaces consist of: triangles, lines of knots, control nets, patches and handles.
+#include "drawing/curvature_colours.hpp"
 #include "drawing/measures.hpp"
 #include "drawing/surface_samples.hpp"
 
@@ -140,6 +141,19 @@ std::vector<Vec3> handlePoints(const BlendingSurface& blend) {
     return points;
 }
 
+void drawTriangles(Sketch& sketch, std::vector<double> positions, std::vector<double> normals,
+                   std::vector<std::uint32_t> indices) {
+    Shape& shape = sketch.add(Role::surface, Kind::triangles, 1);
+    shape.positions = std::move(positions);
+    shape.normals = std::move(normals);
+    shape.indices = std::move(indices);
+    const scene::Colouring by = sketch.object().style.colouring;
+    if (by == scene::Colouring::colour) return;
+    CurvatureColours made = curvatureColours(shape, by);
+    shape.colours = std::move(made.colours);
+    shape.range = made.range;
+}
+
 void drawSurfaceFigure(Sketch& sketch, const Surface& surface) {
     const scene::Show& show = sketch.show();
     if (show.surface || show.isolines || show.wireframe || show.sphere) {
@@ -148,10 +162,8 @@ void drawSurfaceFigure(Sketch& sketch, const Surface& surface) {
         if (show.wireframe) drawGridEdges(sketch, samples);
         if (show.isolines) drawIsolines(sketch, surface, samples);
         if (show.surface) {
-            Shape& shape = sketch.add(Role::surface, Kind::triangles, 1);
-            shape.positions = std::move(samples.positions);
-            shape.normals = std::move(samples.normals);
-            shape.indices = std::move(samples.triangles);
+            drawTriangles(sketch, std::move(samples.positions), std::move(samples.normals),
+                          std::move(samples.triangles));
         }
     }
     const auto* spline = surface.as<BsplineSurface>();

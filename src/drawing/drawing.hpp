@@ -54,8 +54,10 @@ struct Shape {
     /// position; otherwise two for each of the segments that it consists of instead (the edges of a
     /// mesh, the teeth of a comb).
     std::vector<std::uint32_t> indices;
-    /// Of triangles whose colour says something at every point: one a position, or none.
+    /// Of triangles that are coloured by a quantity: one a position, in place of `colour` but for its
+    /// opacity; or none. The strongest stand for `range`, the lightest for 0.
     std::vector<ColourBytes> colours;
+    double range = 0;
     /// Of triangles: as long as two shapes share it, positions, normals, indices and colours are
     /// the same. Whoever keeps something made of them (a buffer of the GPU) may drop it when it
     /// expires.

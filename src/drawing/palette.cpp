@@ -50,12 +50,14 @@ std::optional<Colour> objectColour(Role role, const Colour& colour, bool dark) n
     const Colour own = onBackground(colour, dark);
     if (role == Role::curve || role == Role::surface) return own;
     if (role != Role::isoline && role != Role::wireframe) return std::nullopt;
-    return scene::mixColours(own, dark ? Colour{1, 1, 1, 1} : Colour{0, 0, 0, 1}, 0.45);
+    Colour line = scene::mixColours(own, dark ? Colour{1, 1, 1, 1} : Colour{0, 0, 0, 1}, 0.45);
+    line.alpha = 1;
+    return line;
 }
 
 Colour onBackground(const Colour& colour, bool dark) noexcept {
     if (!dark) return colour;
-    constexpr Colour white{1, 1, 1, 1};
+    const Colour white{1, 1, 1, colour.alpha};
     Colour lifted = colour;
     for (int step = 1; step <= 8 && luminance(lifted) < leastLuminance; ++step) {
         lifted = scene::mixColours(colour, white, step / 10.0);

@@ -67,6 +67,9 @@ void drawCloudFigure(Sketch& sketch, const scene::PointCloud& cloud);
 void drawGraphFigure(Sketch& sketch, const scene::FunctionGraph& graph);
 
 // The parts that several of them have.
+/// Triangles with their normals, in the colours that the object's style asks for.
+void drawTriangles(Sketch& sketch, std::vector<double> positions, std::vector<double> normals,
+                   std::vector<std::uint32_t> indices);
 void drawPolygon(Sketch& sketch, std::span<const Vec3> points, bool closed);
 /// Every knot of the domain once, where the curve passes it.
 void drawKnotsOnCurve(Sketch& sketch, const Curve& curve, std::span<const double> knots);

@@ -169,11 +169,11 @@ private:
             const auto second = triangle(shape, i + 3);
             const auto both = second ? joined(*first, *second) : std::nullopt;
             if (!both) {
-                facet(shape, {(*first)[0], (*first)[1], (*first)[2], {}}, 3, areaOf(*first));
+                facet(shape, i, {(*first)[0], (*first)[1], (*first)[2], {}}, 3, areaOf(*first));
                 continue;
             }
             measure(*second);
-            facet(shape, *both, 4, areaOf(*first) + areaOf(*second));
+            facet(shape, i, *both, 4, areaOf(*first) + areaOf(*second));
             i += 3;
         }
     }
@@ -184,14 +184,25 @@ private:
     }
 
     /// All facets go round in one sense, so that none of a path takes another's paint away.
-    void facet(const Shape& shape, std::array<Vec3, 4> points, std::size_t corners,
-               const Vec3& area) {
+    void facet(const Shape& shape, std::size_t first, std::array<Vec3, 4> points,
+               std::size_t corners, const Vec3& area) {
         const auto end = points.begin() + static_cast<std::ptrdiff_t>(corners);
         if (area.z < 0) std::reverse(points.begin() + 1, end);
         double depth = 0;
         for (std::size_t k = 0; k < corners; ++k) depth += points[k].z;
         pieces_.push_back({depth / static_cast<double>(corners), points, corners, &shape,
-                           shaded(shape.colour, area)});
+                           shaded(colourOf(shape, first), area)});
+    }
+
+    /// Of the triangle whose corners begin with the k-th.
+    [[nodiscard]] static Colour colourOf(const Shape& shape, std::size_t k) noexcept {
+        if (shape.colours.empty()) return shape.colour;
+        std::array<double, 3> sum{};
+        for (std::size_t i = k; i < k + 3; ++i) {
+            const ColourBytes& own = shape.colours[shape.indices.empty() ? i : shape.indices[i]];
+            for (std::size_t c = 0; c < 3; ++c) sum[c] += own[c] / (3 * 255.0);
+        }
+        return {sum[0], sum[1], sum[2], 1};
     }
 
     [[nodiscard]] std::string shaded(const Colour& colour, const Vec3& area) const {
@@ -265,7 +276,10 @@ private:
         const Shape& shape = *model.shape;
         xml_.begin("path").attribute("data-role", roleName(shape.role));
         if (model.isFacet()) xml_.attribute("fill", model.paint);
-        xml_.attribute("stroke", model.paint).number("stroke-width", strokeOf(model));
+        // The seams of what can be seen through would be seen twice.
+        if (!model.isFacet() || shape.colour.alpha >= 1) {
+            xml_.attribute("stroke", model.paint).number("stroke-width", strokeOf(model));
+        }
         if (shape.colour.alpha < 1) xml_.number("opacity", shape.colour.alpha);
         xml_.attribute("d", data);
         xml_.end();

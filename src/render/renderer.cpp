@@ -214,7 +214,7 @@ void Renderer::points(std::span<const double> positions, const Dots& dots) {
     PointVertices& vertices = pointsFor(dots);
     PointVertex looks;
     looks.z = static_cast<float>(
-        nearerBy((0.75 * dots.diameter + 1.5 * dots.border) * pixelRatio_ + 1));
+        nearerBy((1.5 * dots.diameter + dots.border) * pixelRatio_));
     looks.radius = static_cast<float>(0.5 * dots.diameter * pixelRatio_);
     looks.border = static_cast<float>(dots.border * pixelRatio_);
     looks.square = dots.square ? 1.0F : 0.0F;

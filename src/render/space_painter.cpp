@@ -54,7 +54,8 @@ void SpacePainter::add(const drawing::Shape& shape, const scene::Colour& colour)
     const bool opaque =
         colour.alpha >= 1 && std::all_of(shape.colours.begin(), shape.colours.end(),
                                          [](const ColourBytes& c) { return c[3] == 255; });
-    surfaces_.push_back({&shape, colour, opaque});
+    const bool own = !shape.colours.empty();
+    surfaces_.push_back({&shape, own ? scene::Colour{1, 1, 1, colour.alpha} : colour, opaque});
 }
 
 bool SpacePainter::start(gl::Device& device, std::string& message) {

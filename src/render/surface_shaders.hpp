@@ -1,6 +1,5 @@
 // The program of lit surfaces. The light is fixed to the eye: a broad sky above, a key light over the
-// left shoulder, and a soft gleam. Sums are made in linear light and encoded as sRGB at the end;
-// the same sums are in drawing/shading.hpp for pictures that are not painted by a GPU.
+// left shoulder, and a soft gleam. Sums are made in linear light and encoded as sRGB at the end.
 #pragma once
 
 #include <string_view>

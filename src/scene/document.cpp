@@ -16,7 +16,13 @@ using Objects = std::vector<std::shared_ptr<const Object>>;
 
 Style styleOf(const Json& spec) {
     const Json& style = *member(spec, "style");
-    return {*parseColour(stringOr(style, "colour", "#000000")), numberOr(style, "width", 2.5)};
+    const std::string by = stringOr(style, "colourBy", "colour");
+    Style made{*parseColour(stringOr(style, "colour", "#000000")), numberOr(style, "width", 2.5),
+               by == "gaussian" ? Colouring::gaussian
+               : by == "mean"   ? Colouring::mean
+                                : Colouring::colour};
+    made.colour.alpha = numberOr(style, "opacity", 1);
+    return made;
 }
 
 Show showOf(const Json& spec) {

@@ -116,9 +116,12 @@ void apply(const Effect& effect, double weight, Placed& placed) {
         case EffectKind::morph:
             placed.body = morphed(*placed.body.curve(), *effect.curve, weight);
             return;
-        case EffectKind::colour:
-            placed.colour = mixColours(placed.colour, effect.to, weight);
+        case EffectKind::colour: {
+            Colour to = effect.to;
+            to.alpha = placed.colour.alpha;
+            placed.colour = mixColours(placed.colour, to, weight);
             return;
+        }
     }
 }
 

@@ -77,12 +77,22 @@ constexpr Field flag(std::string_view name, std::string_view label, std::string_
             .defaultJson = normally};
 }
 
+constexpr std::array colouringChoices{Choice{"colour", "Its colour"},
+                                      Choice{"gaussian", "Gaussian curvature"},
+                                      Choice{"mean", "Mean curvature"}};
+
 constexpr std::array styleFields{
     Field{.name = "colour", .label = "Colour", .kind = FieldKind::colour,
           .help = "Colour of the curve or surface.", .defaultJson = "\"#2b6cb0\""},
     Field{.name = "width", .label = "Width", .kind = FieldKind::number,
           .help = "Width of the curve in CSS pixels.", .min = 0.5, .max = 12,
           .defaultJson = "2.5"},
+    Field{.name = "opacity", .label = "Opacity", .kind = FieldKind::number,
+          .help = "Of the curve or surface: 1 hides what is behind it.", .min = 0, .max = 1,
+          .defaultJson = "1"},
+    Field{.name = "colourBy", .label = "Coloured by", .kind = FieldKind::choice,
+          .help = "What the colours of a surface show.", .defaultJson = "\"colour\"",
+          .choices = colouringChoices},
 };
 
 constexpr std::array showFields{

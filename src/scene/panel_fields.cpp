@@ -216,6 +216,8 @@ std::vector<PanelField> panelFields(const Json& object) {
     std::vector<PanelField> fields = collector.take();
     const std::string type = stringOr(object, "type", "");
     std::erase_if(fields, [&](const PanelField& field) {
+        const bool ofSurfaces = field.path == "style.opacity" || field.path == "style.colourBy";
+        if (ofSurfaces && !showApplies(type, "surface")) return true;
         constexpr std::string_view show = "show.";
         return field.path.starts_with(show) && !showApplies(type, field.path.substr(show.size()));
     });

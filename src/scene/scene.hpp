@@ -42,9 +42,13 @@ struct Show {
     bool labels = false;
 };
 
+/// By what a surface is coloured.
+enum class Colouring { colour, gaussian, mean };
+
 struct Style {
-    Colour colour;
+    Colour colour;       ///< with the opacity
     double width = 2.5;  ///< of the curve, in CSS pixels
+    Colouring colouring = Colouring::colour;
 };
 
 /// One object of a scene, immutable once made.

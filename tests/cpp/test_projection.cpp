@@ -70,5 +70,27 @@ TEST(Projection, APaneWithoutAreaDoesNotDivideByZero) {
     EXPECT_TRUE(isFinite(projection.fromPixels({1, 1, 0})));
 }
 
+TEST(Projection, AParallelOneTurnsTheWorldAndKnowsWhatIsNearer) {
+    const Vec3 centre(4, 5, 6);
+    const Mat3 fromTheRight(0, 0, 1, 1, 0, 0, 0, 1, 0);  // y to the right, z up, x to the eye
+    const auto projection = Projection::parallel(pane, centre, fromTheRight, 0.5, 20);
+    EXPECT_TRUE(projection.deep());
+    expectNear(projection.toPane(centre), {0, 0, 0}, 1e-12);
+    expectNear(projection.toPane(centre + Vec3(2, 3, -1)), {6, -2, -0.1}, 1e-12);
+    expectNear(projection.fromPixels(projection.toPixels(centre + Vec3(2, 3, -1))),
+               centre + Vec3(2, 3, -1), 1e-12);
+    expectNear(projection.unitsPerPixel(), {0.5, 0.5, 0}, 1e-12);
+}
+
+TEST(Projection, ClipCoordinatesMayBeTakenFromAnyOrigin) {
+    const Vec3 centre(4, 5, 6);
+    const Vec3 origin(-1, 2, 8);
+    const auto projection = Projection::parallel(pane, centre, Mat3(1.0), 0.5, 20);
+    const glm::dvec4 clip = projection.clipFrom(origin) * glm::dvec4(3, 1, 2, 1);
+    const Vec3 at = projection.toPane(origin + Vec3(3, 1, 2));
+    expectNear({clip.x * 0.5 * pane.width, clip.y * 0.5 * pane.height, clip.z}, at, 1e-12);
+    EXPECT_FALSE(Projection::flat(pane, centre, 1, 1).deep());
+}
+
 }  // namespace
 }  // namespace knotwork::render

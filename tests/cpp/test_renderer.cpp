@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <memory>
+#include <string>
+
 namespace knotwork::render {
 namespace gl {
 namespace {
@@ -239,6 +243,137 @@ TEST_F(RendererTest, DestroyingTheRendererFreesEverything) {
         ASSERT_TRUE(shortLived.start());
     }
     EXPECT_EQ(gl::log().destroyed, 10);
+}
+
+class SpaceTest : public RendererTest {
+protected:
+    SpaceTest() {
+        EXPECT_TRUE(renderer.start());
+        surface.kind = drawing::Kind::triangles;
+        surface.role = drawing::Role::surface;
+        surface.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+        surface.normals = {0, 0, 1, 0, 0, 1, 0, 0, 1};
+        surface.indices = {0, 1, 2};
+        surface.identity = fresh();
+        line.positions = zigzag;
+    }
+
+    static std::shared_ptr<const void> fresh() { return std::make_shared<const int>(0); }
+
+    void spaceFrame(const std::vector<const drawing::Shape*>& shapes, double unitsPerPixel = 1) {
+        gl::log().steps.clear();
+        renderer.beginView(100, 100, {1, 1, 1, 1});
+        renderer.beginPane(
+            left, Projection::parallel(left, Vec3(0.0), Mat3(1.0), unitsPerPixel, 100), 1,
+            scene::Colour{1, 1, 1, 1});
+        for (const drawing::Shape* shape : shapes) renderer.paint(*shape);
+        renderer.endPane();
+        renderer.endView();
+    }
+
+    drawing::Shape surface;
+    drawing::Shape line;
+};
+
+TEST_F(SpaceTest, ASurfaceThatStaysIsSentOnce) {
+    for (int i = 0; i < 5; ++i) spaceFrame({&surface});
+    EXPECT_EQ(gl::log().vertices, (std::vector<std::size_t>{3 * sizeof(SurfaceVertex)}));
+    EXPECT_EQ(gl::log().corners, (std::vector<std::size_t>{3}));
+    EXPECT_EQ(gl::log().targets, 1);
+}
+
+TEST_F(SpaceTest, OfASurfaceThatIsDraggedTheVerticesAloneAreSent) {
+    spaceFrame({&surface});
+    const gl::Counts live = renderer.stats().live;
+    for (int i = 0; i < 4; ++i) {
+        surface.positions[2] += 1;
+        surface.identity = fresh();
+        spaceFrame({&surface});
+    }
+    EXPECT_EQ(gl::log().vertices.size(), 5U);
+    EXPECT_EQ(gl::log().corners.size(), 1U);
+    EXPECT_EQ(renderer.stats().live, live);
+}
+
+TEST_F(SpaceTest, OtherTrianglesAreSentAlsoWhereTheirNumberIsTheSame) {
+    spaceFrame({&surface});
+    surface.indices = {1, 2, 0};
+    surface.identity = fresh();
+    spaceFrame({&surface});
+    EXPECT_EQ(gl::log().corners.size(), 2U);
+}
+
+TEST_F(SpaceTest, TheBuffersOfASurfaceThatIsGoneAreFreed) {
+    spaceFrame({});
+    const gl::Counts before = renderer.stats().live;
+    spaceFrame({&surface});
+    EXPECT_EQ(renderer.stats().live.buffers, before.buffers + 2);
+    surface.identity.reset();
+    spaceFrame({});
+    EXPECT_EQ(renderer.stats().live, before);
+}
+
+TEST_F(SpaceTest, TwoSurfacesOfOneViewKeepTheirOwnBuffers) {
+    drawing::Shape other = surface;
+    other.identity = fresh();
+    spaceFrame({&surface, &other});
+    spaceFrame({&other, &surface});
+    EXPECT_EQ(gl::log().vertices.size(), 2U);
+}
+
+TEST_F(SpaceTest, ASurfaceIsSentAgainWhenTheViewIsSoNearThatItsRoundingWouldBeSeen) {
+    for (double& p : surface.positions) p += 1e6;
+    spaceFrame({&surface});
+    spaceFrame({&surface}, 1e-8);
+    spaceFrame({&surface}, 1e-8);
+    EXPECT_EQ(gl::log().vertices.size(), 2U);
+    EXPECT_EQ(gl::log().corners.size(), 1U);
+}
+
+TEST_F(SpaceTest, AfterALostContextSurfacesAreSentAgain) {
+    spaceFrame({&surface});
+    renderer.forget();
+    EXPECT_EQ(renderer.stats().live.total(), 0);
+    spaceFrame({&surface});
+    ASSERT_TRUE(renderer.start());
+    spaceFrame({&surface});
+    EXPECT_EQ(gl::log().vertices.size(), 2U);
+    EXPECT_EQ(gl::log().destroyed, 0);
+}
+
+TEST_F(SpaceTest, WhatIsHiddenIsPaintedFaintlyAndThenWhatIsSeen) {
+    spaceFrame({&line, &surface});
+    EXPECT_EQ(gl::log().steps,
+              (std::vector<std::string>{"begin", "written", "surface", "farther", "draw", "masked",
+                                        "draw", "nearer", "draw", "ignored", "end"}));
+}
+
+TEST_F(SpaceTest, LinesOnASurfaceVanishBehindIt) {
+    line.role = drawing::Role::isoline;
+    spaceFrame({&surface, &line});
+    EXPECT_EQ(gl::log().steps,
+              (std::vector<std::string>{"begin", "written", "surface", "farther", "masked",
+                                        "nearer", "draw", "ignored", "end"}));
+}
+
+TEST_F(SpaceTest, ThroughATransparentSurfaceLinesAreSeenAndBeforeItTheyAreWhole) {
+    line.role = drawing::Role::isoline;
+    surface.colour.alpha = 0.5;
+    spaceFrame({&surface, &line});
+    EXPECT_EQ(gl::log().steps,
+              (std::vector<std::string>{"begin", "written", "farther", "nearer", "draw", "nearer",
+                                        "surface", "writtenOnly", "surface", "masked", "nearer",
+                                        "draw", "ignored", "end"}));
+    spaceFrame({&surface, &line});
+    EXPECT_EQ(gl::log().corners.size(), 1U);  // still in order for this eye
+}
+
+TEST_F(SpaceTest, AFlatPaneShowsNoLitSurface) {
+    renderer.beginView(100, 100, {});
+    renderer.beginPane(left, Projection::flat(left, Vec3(0.0), 1, 1), 1);
+    renderer.paint(surface);
+    renderer.endPane();
+    EXPECT_EQ(renderer.stats().drawCalls, 0);
 }
 
 }  // namespace
