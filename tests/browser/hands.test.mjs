@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 
-import { assertSilent, documentOf, figureReady, openPage, settle, useBrowser } from './support.mjs';
+import { assertSilent, documentOf, drag, figureReady, openPage, settle, useBrowser } from './support.mjs';
 
 const running = useBrowser();
 const runPause = 900;  // after which a run of arrow keys is over
@@ -46,6 +46,30 @@ const outcome = (page) => page.evaluate(() => {
 
 const focus = (page, path) => page.evaluate((p) => document.querySelector('knotwork-figure').focusPoint(p), path);
 
+/** Where an element of the document is seen, in pixels of the page. */
+async function placeOf(page, path) {
+    await focus(page, path);
+    const place = await page.evaluate(() => {
+        const { shadowRoot } = document.querySelector('knotwork-figure');
+        const [x, y] = shadowRoot.querySelector('.handle').style.translate.split(' ').map(parseFloat);
+        const box = shadowRoot.querySelector('.view').getBoundingClientRect();
+        return { x: box.left + x, y: box.top + y };
+    });
+    await page.keyboard.press('Escape');
+    return place;
+}
+
+async function dragged(page, path, to) {
+    const from = await placeOf(page, path);
+    await drag(page, from, to);
+}
+
+async function clicked(page, path, to, button = 'Move') {
+    await focus(page, path);
+    await page.getByRole('group', { name: 'By clicks' }).getByRole('button', { name: button, exact: true }).click();
+    await page.mouse.click(to.x, to.y);
+}
+
 async function pressed(page, path, ...keys) {
     await focus(page, path);
     for (const key of keys) await page.keyboard.press(key);
@@ -77,16 +101,77 @@ async function assertSame(page, ways) {
 }
 
 describe('the same by every hand', { timeout: 120_000 }, () => {
-    it('removes a point', async () => {
+    it('moves a point', async () => {
         const shown = await opened();
         const { page } = shown;
+        const path = 'objects[0].points[2]';
+        const [x, y] = (await documentOf(page)).objects[0].points[2];
+        const at = await placeOf(page, path);
+        const other = await placeOf(page, 'objects[0].points[3]');
+        const pixels = (other.x - at.x) / ((await documentOf(page)).objects[0].points[3][0] - x);
+        const target = { x: at.x + 0.3 * pixels, y: at.y };
+        const to = [Number((x + 0.3).toFixed(6)), y];
+        await assertSame(page, [
+            ['pointer', () => dragged(page, path, target)],
+            ['pointer', () => clicked(page, path, target)],
+            ['key', () => pressed(page, path, 'ArrowRight', 'ArrowRight', 'ArrowRight')],
+            ['api', () => executed(page, { move: path, to })],
+        ]);
+        await assertSilent(shown);
+        await shown.context.close();
+    });
+
+    it('moves a knot, and lets it meet another', async () => {
+        const { page, context } = await opened();
+        const { knots } = (await documentOf(page)).objects[0];
+        const path = 'objects[0].knots[4]';
+        const [at, next] = [await placeOf(page, path), await placeOf(page, 'objects[0].knots[5]')];
+        const halfway = { x: (at.x + next.x) / 2, y: at.y };
+        const middle = (knots[4] + knots[5]) / 2;
+        const half = async () => {
+            await focus(page, path);
+            await typed(page, 'Step of the arrow keys', String(middle - knots[4]));
+        };
+        await assertSame(page, [
+            ['pointer', () => dragged(page, path, halfway)],
+            ['pointer', () => clicked(page, path, halfway)],
+            ['key', async () => { await half(); await pressed(page, path, 'ArrowRight'); }],
+            ['api', () => executed(page, { move: path, to: middle })],
+        ]);
+        await assertSame(page, [
+            ['pointer', () => dragged(page, path, next)],
+            ['pointer', () => clicked(page, path, next)],
+            ['key', () => pressed(page, path, 'ArrowRight', 'ArrowRight')],
+            ['api', () => executed(page, { move: path, to: knots[5] })],
+        ]);
+        await context.close();
+    });
+
+    it('poses a local curve', async () => {
+        const { page, context } = await opened('b-functions');
+        const path = 'objects[0].poses[0]';
+        const at = await placeOf(page, path);
+        const target = { x: at.x + 40, y: at.y - 20 };
+        let command;
+        await assertSame(page, [
+            ['pointer', async () => {
+                await dragged(page, path, target);
+                command = await page.evaluate(() => globalThis.told.at(-1).command);
+            }],
+            ['pointer', () => clicked(page, path, target)],
+            ['api', () => executed(page, { pose: command.pose })],
+        ]);
+        await context.close();
+    });
+
+    it('removes a point', async () => {
+        const { page, context } = await opened();
         await assertSame(page, [
             ['key', () => pressed(page, 'objects[0].points[2]', 'Delete')],
             ['field', () => page.getByRole('button', { name: 'Remove point 3', exact: true }).click()],
             ['api', () => executed(page, { remove: 'objects[0].points[2]' })],
         ]);
-        await assertSilent(shown);
-        await shown.context.close();
+        await context.close();
     });
 
     it('adds a point and inserts a knot', async () => {
@@ -111,7 +196,7 @@ describe('the same by every hand', { timeout: 120_000 }, () => {
         await context.close();
     });
 
-    it('sets degree, form and a parameter of the B-function', async () => {
+    it('sets degree and form', async () => {
         const { page, context } = await opened();
         await assertSame(page, [
             ['field', () => typed(page, 'Degree', '2')],
@@ -161,6 +246,24 @@ describe('what is selected', { timeout: 120_000 }, () => {
         assert.equal(await stops(), 1);
         await focus(page, 'objects[0].points[2]');
         assert.equal(await stops(), 1);
+        await context.close();
+    });
+
+    it('follows a slider that a screen reader moves, as one step of history', async () => {
+        const { page, context } = await opened();
+        await focus(page, 'objects[0].points[2]');
+        const [x] = (await documentOf(page)).objects[0].points[2];
+        await page.evaluate(() => {
+            const slider = document.querySelector('knotwork-figure').shadowRoot.activeElement;
+            for (let k = 0; k < 2; k += 1) {
+                slider.stepUp();
+                slider.dispatchEvent(new Event('input', { bubbles: true }));
+            }
+        });
+        await page.waitForTimeout(runPause);
+        const { same, sources } = await outcome(page);
+        assert.ok(Math.abs(same.document.objects[0].points[2][0] - x - 0.2) < 1e-12);
+        assert.deepEqual([same.steps, same.changes.length, sources], [1, 1, ['key']]);
         await context.close();
     });
 

@@ -192,7 +192,7 @@ test('the plots stand below the curve, each with its ticks', () => {
 
 test('the hodograph stands beside the curve, x and y to one scale', () => {
     const spec = { type: 'bspline-curve', degree: 2, points: [[0, 0], [1, 3], [4, 1], [5, 5]] };
-    const scene = alone({ ...spec, show: { hodograph: true } });
+    const scene = sceneOf({ id: 'c1', ...spec, show: { hodograph: true } });
     const elements = elementsOf(scene.svg({ panes: ['hodograph', 'curve'], width: 900, height: 500 }));
     const panes = elements.filter(({ attributes }) => attributes['data-pane']);
     assert.deepEqual(panes.map(({ attributes }) => attributes['data-pane']), ['curve', 'hodograph']);
