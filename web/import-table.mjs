@@ -23,11 +23,11 @@ const groupNames = ['object', 'id', 'name', 'curve'];
 export function readTable(whole, mostNames) {
     const separator = separatorOf(whole);
     const rows = rowsOf(whole, separator);
-    if (rows.length === 0) throw refusal('WRONG_LENGTH', undefined, 'there is no point in it; give lines as 1.5,2 or 1.5,2,0');
+    if (rows.length === 0) throw refusal('WRONG_LENGTH', undefined, 'there is no point; give lines as 1.5,2 or 1.5,2,0');
     const commas = separator !== ',';
     const header = rows[0].some(({ text }) => text !== '' && !isNumber(text, commas)) ? rows.shift() : undefined;
     const columns = header ? namedColumns(header) : countedColumns(rows[0]);
-    if (header && rows.length === 0) throw refusal('WRONG_LENGTH', header[0], 'under these names stands no point');
+    if (header && rows.length === 0) throw refusal('WRONG_LENGTH', header[0], 'there is no point under these names');
     return groups(rows, columns, commas, mostNames);
 }
 

@@ -83,5 +83,5 @@ test('what a table has too much of is said at its place', () => {
     refused(`object,x,y\n${Array.from({ length: 1001 }, (_, i) => `${i},1,2`).join('\n')}`, 'Line 1002, column 1: there are more than 1000 names');
     refused(`x,y\n"${'""'.repeat(1001)}",1`, 'Line 2, column 1: a cell has at most 1000 letters');
     refused('\n'.repeat(200_000), 'Line 200000, column 1: a table has at most 200000 lines');
-    refused('x,y\n', 'Line 1, column 1: under these names stands no point');
+    refused('x,y\n', 'Line 1, column 1: there is no point under these names');
 });
