@@ -1,6 +1,8 @@
 #include "app/picture.hpp"
 
 #include "drawing/extent.hpp"
+#include "drawing/measures.hpp"
+#include "geometry/curve_sphere.hpp"
 
 #include <cmath>
 
@@ -45,6 +47,10 @@ void addOther(drawing::Bounds& bounds, const scene::Placed& placed) {
     if (const auto* cloud = placed.body.cloud()) {
         drawing::addPoints(bounds, cloud->points, placement);
         if (cloud->fit) drawing::addCurve(bounds, cloud->fit->curve, placement, samplesOfCurve);
+        const auto sphere = enclosingSphere(cloud->points);
+        if (show.sphere && sphere) {
+            drawing::addSphere(bounds, *sphere, drawing::isFlat(cloud->points), placement);
+        }
     }
 }
 
@@ -54,6 +60,10 @@ void addPlaced(drawing::Bounds& bounds, const scene::Placed& placed) {
     drawing::addCurve(bounds, *curve, placed.placement, samplesOfCurve);
     const auto* blend = placed.body.as<BlendingCurve>();
     if (blend != nullptr && placed.object->show.locals) addLocals(bounds, placed, *blend);
+    if (placed.object->show.sphere) {
+        drawing::addSphere(bounds, enclosingSphere(*curve), dimension(*curve) == 2,
+                           placed.placement);
+    }
     if (!placed.object->show.polygon && !placed.object->show.points) return;
     drawing::addPoints(bounds, drawing::controlPolygon(*curve).points, placed.placement);
 }

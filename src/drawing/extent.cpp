@@ -1,6 +1,9 @@
 #include "drawing/extent.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 
 namespace knotwork::drawing {
 
@@ -34,6 +37,18 @@ void addSurface(Bounds& bounds, const Surface& surface, const Affine& placement,
             const SurfacePlace at{uniformParameter(u, i, samples), uniformParameter(v, j, samples)};
             addFinite(bounds, placement.point(pointAt(surface, at)));
         }
+    }
+}
+
+void addSphere(Bounds& bounds, const Sphere& sphere, bool inPlane, const Affine& placement) {
+    constexpr std::size_t corners = 64;
+    for (std::size_t i = 0; i < corners; ++i) {
+        const double angle = 2 * std::numbers::pi * static_cast<double>(i) / corners;
+        const double x = sphere.radius * std::cos(angle);
+        const double y = sphere.radius * std::sin(angle);
+        const std::array<Vec3, 3> round{sphere.center + Vec3(x, y, 0), sphere.center + Vec3(0, x, y),
+                                        sphere.center + Vec3(y, 0, x)};
+        addPoints(bounds, std::span(round).first(inPlane ? 1 : 3), placement);
     }
 }
 

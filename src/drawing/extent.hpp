@@ -2,6 +2,7 @@
 #pragma once
 
 #include "drawing/drawing.hpp"
+#include "geometry/enclosing_sphere.hpp"
 
 #include <cstddef>
 #include <span>
@@ -15,6 +16,8 @@ void addCurve(Bounds& bounds, const Curve& curve, const Affine& placement, std::
 /// The same in each direction.
 void addSurface(Bounds& bounds, const Surface& surface, const Affine& placement,
                 std::size_t samples);
+/// The great circles across the axes, of which there is one in a plane.
+void addSphere(Bounds& bounds, const Sphere& sphere, bool inPlane, const Affine& placement);
 /// Its square.
 void addGraph(Bounds& bounds, const scene::FunctionGraph& graph, const Affine& placement);
 

@@ -136,11 +136,11 @@ void drawSphereShapes(Sketch& sketch, const Sphere& sphere, bool inPlane) {
     append(centre, sphere.center);
 }
 
+}  // namespace
+
 bool isFlat(std::span<const Vec3> points) noexcept {
     return std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.z == 0; });
 }
-
-}  // namespace
 
 double sizeOf(const Curve& curve) {
     std::vector<double> xyz(3 * sizeSamples);

@@ -31,6 +31,9 @@ void drawHull(Sketch& sketch, std::span<const Vec3> points);
 void drawSphere(Sketch& sketch, const Curve& curve);
 void drawSphere(Sketch& sketch, std::span<const Vec3> points);
 
+/// Whether all lie in the plane z = 0.
+[[nodiscard]] bool isFlat(std::span<const Vec3> points) noexcept;
+
 /// The diagonal of the box around a curve, from samples of it.
 [[nodiscard]] double sizeOf(const Curve& curve);
 

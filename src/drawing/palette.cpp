@@ -11,10 +11,10 @@ constexpr Colour rgb(unsigned hex) noexcept {
     return {(hex >> 16U & 0xffU) / 255.0, (hex >> 8U & 0xffU) / 255.0, (hex & 0xffU) / 255.0, 1};
 }
 
-constexpr std::array lightCycle{rgb(0x0072b2), rgb(0xd55e00), rgb(0x008f6b), rgb(0xb8528f),
-                                rgb(0xa87800), rgb(0x2f86b8), rgb(0x6d4fc2), rgb(0x6b6b6b)};
-constexpr std::array darkCycle{rgb(0x56b4e9), rgb(0xff9a4d), rgb(0x2fc99e), rgb(0xe89ac7),
-                               rgb(0xe6c229), rgb(0x8ecdf5), rgb(0xb09cff), rgb(0xb8b8b8)};
+constexpr std::array lightCycle{rgb(0x0072b2), rgb(0xd55e00), rgb(0x009a70), rgb(0x7a3f6c),
+                                rgb(0xa87d10), rgb(0x2f83b5), rgb(0x5a3596), rgb(0x777777)};
+constexpr std::array darkCycle{rgb(0x56b4e9), rgb(0xff9a4d), rgb(0x2fc99e), rgb(0xf7c9e8),
+                               rgb(0xcfa114), rgb(0x8ecdf5), rgb(0x9a7df5), rgb(0xc9c9c9)};
 
 /// Contrast of more than 4 : 1 against our dark background (#12161f or so, luminance 0.008).
 constexpr double leastLuminance = 0.2;

@@ -1,5 +1,6 @@
-// Colours of what surrounds a curve, for light and for dark backgrounds. The cycle keeps its hues
-// apart for people who do not see red and green apart (after Okabe and Ito, 2008).
+// Colours of what surrounds a curve, for light and for dark backgrounds. Neighbours in the cycle are
+// at least 0.09 apart in OKLab for everyone, also for people without one kind of cones (begun from
+// Okabe and Ito, 2008, and made lighter and darker in turn where hue alone is not seen).
 #pragma once
 
 #include "drawing/drawing.hpp"
