@@ -107,7 +107,8 @@ void checkGrid(const BlendingSurface& surface) {
             largest = std::max(largest, expected.size);
         }
     }
-    fuzz::checkWithin(farthest / largest, rounding, "a grid has the surface's points");
+    // Parameters of a grid are rounded once more than those of a place: short spans magnify that.
+    fuzz::checkWithin(farthest / largest, 10 * rounding, "a grid has the surface's points");
 }
 
 }  // namespace
