@@ -2,7 +2,7 @@
 // them has its reason beside it, `// not reached: why`, on the line, in the comment above it or on a
 // line of the same run; otherwise, and where a reason has become untrue, this fails.
 import { execFileSync } from 'node:child_process';
-import { readdirSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -65,7 +65,8 @@ function offences(file, lines) {
     ];
 }
 
-const data = readdirSync(objects).filter((name) => name.endsWith('.gcno'));
+/** Objects of sources that have gone stay where they were built. */
+const data = readdirSync(objects).filter((name) => name.endsWith('.gcno') && existsSync(path.join(root, folder, name.replace(/\.gcno$/, ''))));
 for (const name of data) count(path.join(objects, name));
 const files = [...counts].sort(([a], [b]) => (a < b ? -1 : 1));
 const found = files.flatMap(([file, lines]) => offences(file, lines));

@@ -29,7 +29,7 @@ export function openGallery(host) {
         attributes: { type: 'search', 'aria-label': words.text('gallery.search'), placeholder: words.text('gallery.search') },
         on: { input: () => filter(words, groups, search.value, found) },
     });
-    const dialog = openDialog(words, words.text('page.scenes'), 'gallery', search, found,
+    const dialog = openDialog(words, words.text('page.scenes'), 'gallery', el('div', { class: 'finder' }, search), found,
         ...groups.map(({ element }) => element));
     dialog.addEventListener('click', (event) => {
         if (/** @type {Element} */ (event.target).closest('a')) dialog.close();

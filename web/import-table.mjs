@@ -22,13 +22,17 @@ const groupNames = ['object', 'id', 'name', 'curve'];
  */
 export function readTable(whole, mostNames) {
     const separator = separatorOf(whole);
-    const rows = rowsOf(whole, separator);
-    if (rows.length === 0) throw refusal('WRONG_LENGTH', undefined, 'there is no point; give lines as 1.5,2 or 1.5,2,0');
     const commas = separator !== ',';
-    const header = rows[0].some(({ text }) => text !== '' && !isNumber(text, commas)) ? rows.shift() : undefined;
-    const columns = header ? namedColumns(header) : countedColumns(rows[0]);
-    if (header && rows.length === 0) throw refusal('WRONG_LENGTH', header[0], 'there is no point under these names');
-    return groups(rows, columns, commas, mostNames);
+    const rows = rowsOf(whole, separator);
+    const { value: first } = rows.next();
+    if (!first) throw refusal('WRONG_LENGTH', undefined, 'there is no point; give lines as 1.5,2 or 1.5,2,0');
+    const header = first.some(({ text }) => text !== '' && !isNumber(text, commas));
+    const columns = header ? namedColumns(first) : countedColumns(first);
+    const reader = new PointReader(columns, commas, mostNames);
+    if (!header) reader.add(first);
+    for (const row of rows) reader.add(row);
+    if (reader.groups.length === 0) throw refusal('WRONG_LENGTH', first[0], 'there is no point under these names');
+    return reader.groups;
 }
 
 /** What parts the cells: the first line that is not empty says so. @param {string} whole */
@@ -42,22 +46,22 @@ function separatorOf(whole) {
 }
 
 /**
+ * One after the other, so that what is wrong with a long table is found where it stands.
  * @param {string} whole
  * @param {string} separator
- * @returns {Cell[][]} without empty lines and those that begin with #
+ * @returns {Generator<Cell[], undefined, void>} without empty lines and those that begin with #
  */
-function rowsOf(whole, separator) {
+function* rowsOf(whole, separator) {
     const scanner = new Scanner(whole, separator);
-    const rows = [];
-    while (!scanner.finished) {
+    for (let count = 0; !scanner.finished;) {
         const row = scanner.row();
         if (row.length === 0) continue;
-        if (rows.length > mostPoints) {
+        if (count > mostPoints) {
             throw refusal('TOO_LARGE', row[0], `there are more than ${mostPoints} points`);
         }
-        rows.push(row);
+        count += 1;
+        yield row;
     }
-    return rows;
 }
 
 class Scanner {
@@ -206,26 +210,38 @@ function countedColumns(row) {
         `the line has ${count} cells, a point 2 or 3 numbers; a first line with names, as t,x,y,z, says which they are`);
 }
 
-/**
- * @param {Cell[][]} rows
- * @param {Columns} columns
- * @param {boolean} commas
- * @param {number} mostNames
- */
-function groups(rows, columns, commas, mostNames) {
+/** Puts together the points of one name. */
+class PointReader {
     /** @type {Map<string, number[][]>} */
-    const found = new Map();
-    const used = [columns.x, columns.y, ...(columns.z < 0 ? [] : [columns.z])];
-    for (const row of rows) {
-        const name = columns.group < 0 ? '' : row[columns.group]?.text ?? '';
-        const points = found.get(name) ?? [];
-        if (points.length === 0 && found.size === mostNames) {
-            throw refusal('TOO_LARGE', row[columns.group], `there are more than ${mostNames} names of objects`);
-        }
-        points.push(used.map((column) => coordinate(row, column, commas)));
-        found.set(name, points);
+    #found = new Map();
+
+    /**
+     * @param {Columns} columns
+     * @param {boolean} commas
+     * @param {number} mostNames
+     */
+    constructor(columns, commas, mostNames) {
+        this.columns = columns;
+        this.commas = commas;
+        this.mostNames = mostNames;
+        this.used = [columns.x, columns.y, ...(columns.z < 0 ? [] : [columns.z])];
     }
-    return Array.from(found, ([name, points]) => ({ name, points }));
+
+    /** @param {Cell[]} row */
+    add(row) {
+        const { group } = this.columns;
+        const name = group < 0 ? '' : row[group]?.text ?? '';
+        const points = this.#found.get(name) ?? [];
+        if (points.length === 0 && this.#found.size === this.mostNames) {
+            throw refusal('TOO_LARGE', row[group], `there are more than ${this.mostNames} names of objects`);
+        }
+        points.push(this.used.map((column) => coordinate(row, column, this.commas)));
+        this.#found.set(name, points);
+    }
+
+    get groups() {
+        return Array.from(this.#found, ([name, points]) => ({ name, points }));
+    }
 }
 
 /** @param {Cell[]} row @param {number} column @param {boolean} commas */

@@ -20,7 +20,7 @@ namespace {
 constexpr Vec3 light{-0.299, -0.427, 0.854};
 constexpr double darkest = 0.45;  // of the colour, where a facet stands across the light
 constexpr double shades = 48;     // from the darkest to the lightest: steps that nobody sees
-constexpr double seamWidth = 0.6; // pixels: hides the ground between neighbours
+constexpr double seamWidth = 1;   // pixels: hides the ground between neighbours, also at half the size
 constexpr int facetDecimals = 1;  // of their corners: the seam is wider than what is lost
 constexpr int lineDecimals = 2;
 /// Two triangles that turn less than this (the cosine of 8°) and have a side in common are a facet.
