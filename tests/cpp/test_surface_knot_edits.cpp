@@ -182,5 +182,21 @@ TEST(SurfaceKnotEdits, RefusalsNameThePlace) {
                   "objects[2].knots[0][0]");
 }
 
+TEST(SurfaceKnots, OneWithoutWhichAWeightWouldNotBePositiveIsRefused) {
+    // The weights 4, 1, 1, 4 come of a middle one of 2 · 1 − 4 alone.
+    const auto knots = KnotVector::make({0, 0, 0, 0.5, 1, 1, 1}, 2, 4, Form::clamped).value();
+    const auto across = KnotVector::uniform(1, 2, Form::clamped).value();
+    std::vector<Vec3> points;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 2; ++j) points.emplace_back(i, j, 0);
+    }
+    const auto made = BsplineSurface::make(knots, across, points, {4, 4, 1, 1, 1, 1, 4, 4});
+    const auto without = removeKnot(made.value(), 0, 0.5);
+    ASSERT_FALSE(without.ok());
+    EXPECT_EQ(without.error().code, Code::outOfRange);
+    EXPECT_EQ(without.error().path, "t");
+    EXPECT_TRUE(removeKnot(BsplineSurface::make(knots, across, points).value(), 0, 0.5).ok());
+}
+
 }  // namespace
 }  // namespace knotwork::scene
