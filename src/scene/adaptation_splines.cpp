@@ -1,5 +1,6 @@
 // B-spline curves and surfaces: knots and weights follow points, degrees and forms.
 #include "scene/adaptation_parts.hpp"
+#include "scene/knot_parts.hpp"
 #include "scene/form_changes.hpp"
 #include "scene/form_names.hpp"
 #include "scene/json_values.hpp"
@@ -41,14 +42,6 @@ bool onlyFormDiffers(const Json& before, const Json& after) {
         if (differs(before, after, key)) return false;
     }
     return differs(before, after, "form");
-}
-
-/// `after` with the form and the shape of this specification.
-Json withShape(Json after, const Json& spec) {
-    for (const char* key : {"form", "points", "knots", "weights"}) {
-        if (const Json* value = member(spec, key)) after[key] = *value;
-    }
-    return after;
 }
 
 // --- curves -------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #include "geometry/refinement.hpp"
 #include "scene/edits.hpp"
 #include "scene/json_values.hpp"
+#include "scene/knot_parts.hpp"
 #include "scene/specs.hpp"
 #include "scene/surface_knot_edits.hpp"
 #include "scene/validation.hpp"
@@ -50,16 +51,6 @@ std::optional<KnotPlace> knotPlace(const Json& part, std::span<const PathStep> r
     return place;
 }
 
-/// The curve with other points and knots, and with all that it has besides.
-Json withShapeOf(const Json& curve, const BsplineCurve& shape) {
-    Json changed = curve;
-    const Json spec = specOf(Curve(shape));
-    for (const char* key : {"points", "knots", "weights"}) {
-        if (const Json* value = member(spec, key)) changed[key] = *value;
-    }
-    return changed;
-}
-
 // --- blending curves --------------------------------------------------------------------------
 
 /// Knots that were spaced by length are so no more.
@@ -78,30 +69,19 @@ void renumberPoses(Json& curve, double first, double step) {
 }
 
 Result<Json> withLocalAt(const Json& curve, const BlendingCurve& blend, double at) {
-    std::vector<double> knots = blend.knots();
-    if (!(at > knots.front() && at < knots.back())) {
-        return refuse(Code::outOfRange, "t",
-                      formatNumber(at) + " does not lie inside the domain [" +
-                          formatNumber(knots.front()) + ", " + formatNumber(knots.back()) + "].");
-    }
-    const auto place = std::upper_bound(knots.begin(), knots.end(), at);
-    const auto index = static_cast<double>(place - knots.begin());
-    knots.insert(place, at);
+    const auto inserted = withKnotInside(blend.knots(), at);
+    if (!inserted) return inserted.error();
     Json changed = curve;
-    changed["knots"] = listOf(knots);
+    changed["knots"] = listOf(inserted->knots);
     changed["spacing"] = "parameter";  // these are no longer those of equal lengths
     changed["locals"]["count"] = static_cast<double>(blend.locals().size() + 1);
-    spaceByKnots(changed);
-    renumberPoses(changed, index, 1);
+    renumberPoses(changed, static_cast<double>(inserted->index), 1);
     return changed;
 }
 
 Result<Json> withoutLocal(const Json& curve, const BlendingCurve& blend, std::size_t index) {
-    const std::size_t last = blend.knots().size() - 1;
-    if (blend.closed() && (index == 0 || index == last)) {
-        return refuse(Code::outOfRange, "t",
-                      "The knot at which the period begins and ends stays; remove one inside.");
-    }
+    const auto removable = checkRemovable(blend.closed(), index, blend.knots().size());
+    if (!removable) return removable.error();
     Json changed = curve;
     changed["knots"].erase(index);
     Json& locals = changed["locals"];
@@ -201,7 +181,7 @@ Result<Json> snappedTo(const Json& knots, const std::pair<std::size_t, std::size
 Result<Json> withoutKnotOf(const Json& curve, const BsplineCurve& spline, std::size_t index) {
     const auto removal = removeKnotAnyway(spline, spline.knotVector().knots()[index]);
     if (!removal) return removal.error();
-    if (removal->removed) return withShapeOf(curve, removal->curve);
+    if (removal->removed) return withShape(curve, specOf(Curve(removal->curve)));
     return refuse(Code::outOfRange, "t",
                   "Without this knot a weight would not be positive; change the weights first.");
 }
@@ -274,7 +254,7 @@ Result<Json> withKnot(const Json& curve, double at) {
     if (const auto* spline = made->value.as<BsplineCurve>()) {
         const auto refined = insertKnot(*spline, at, 1);
         if (!refined) return refined.error();
-        return withShapeOf(curve, *refined);
+        return withShape(curve, specOf(Curve(*refined)));
     }
     const auto* blend = made->value.as<BlendingCurve>();
     if (blend != nullptr && blend->model() != nullptr) return withLocalAt(curve, *blend, at);

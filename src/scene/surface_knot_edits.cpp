@@ -2,11 +2,9 @@
 
 #include "geometry/bspline_surface_knots.hpp"
 #include "scene/json_values.hpp"
+#include "scene/knot_parts.hpp"
 #include "scene/surface_specs.hpp"
-#include "scene/validation.hpp"
 
-#include <algorithm>
-#include <string>
 #include <utility>
 
 namespace knotwork::scene {
@@ -16,12 +14,7 @@ namespace {
 /// The surface with another net and other knots, and with all that it has besides.
 Result<Json> withNetOf(const Json& surface, const Result<BsplineSurface>& net) {
     if (!net) return net.error();
-    Json changed = surface;
-    const Json spec = specOf(Surface(*net));
-    for (const char* key : {"points", "knots", "weights"}) {
-        if (const Json* value = member(spec, key)) changed[key] = *value;
-    }
-    return changed;
+    return withShape(surface, specOf(Surface(*net)));
 }
 
 /// Poses of local patches from line `first` on move by `step`; those of line `gone` go.
@@ -43,28 +36,19 @@ constexpr double none = -1;
 
 Result<Json> withPatchesAt(const Json& surface, const BlendDirection& along, std::size_t direction,
                            double at) {
-    std::vector<double> knots = along.knots;
-    if (!(at > knots.front() && at < knots.back())) {
-        return refuse(Code::outOfRange, "t",
-                      formatNumber(at) + " does not lie inside the domain [" +
-                          formatNumber(knots.front()) + ", " + formatNumber(knots.back()) + "].");
-    }
-    const auto place = std::upper_bound(knots.begin(), knots.end(), at);
-    const auto index = static_cast<double>(place - knots.begin());
-    knots.insert(place, at);
+    const auto inserted = withKnotInside(along.knots, at);
+    if (!inserted) return inserted.error();
     Json changed = surface;
-    changed["knots"][direction] = listOf(knots);
+    changed["knots"][direction] = listOf(inserted->knots);
     changed["locals"][direction] = static_cast<double>(along.count + 1);
-    renumberPoses(changed, direction, index, 1, none);
+    renumberPoses(changed, direction, static_cast<double>(inserted->index), 1, none);
     return changed;
 }
 
 Result<Json> withoutPatchesAt(const Json& surface, const BlendDirection& along,
                               std::size_t direction, std::size_t index) {
-    if (along.closed() && (index == 0 || index + 1 == along.knots.size())) {
-        return refuse(Code::outOfRange, "t",
-                      "The knot at which the period begins and ends stays; remove one inside.");
-    }
+    const auto removable = checkRemovable(along.closed(), index, along.knots.size());
+    if (!removable) return removable.error();
     Json changed = surface;
     changed["knots"][direction].erase(index);
     changed["locals"][direction] = static_cast<double>(along.count) - 1;
