@@ -26,6 +26,11 @@ void addLocals(drawing::Bounds& bounds, const scene::Placed& placed, const Blend
     }
 }
 
+void addSphereOf(drawing::Bounds& bounds, std::span<const Vec3> points, const Affine& placement) {
+    const auto sphere = enclosingSphere(points);
+    if (sphere) drawing::addSphere(bounds, *sphere, drawing::isFlat(points), placement);
+}
+
 /// Bodies that are no curves, with what they are made from where that is shown.
 void addOther(drawing::Bounds& bounds, const scene::Placed& placed) {
     const scene::Show& show = placed.object->show;
@@ -47,10 +52,7 @@ void addOther(drawing::Bounds& bounds, const scene::Placed& placed) {
     if (const auto* cloud = placed.body.cloud()) {
         drawing::addPoints(bounds, cloud->points, placement);
         if (cloud->fit) drawing::addCurve(bounds, cloud->fit->curve, placement, samplesOfCurve);
-        const auto sphere = enclosingSphere(cloud->points);
-        if (show.sphere && sphere) {
-            drawing::addSphere(bounds, *sphere, drawing::isFlat(cloud->points), placement);
-        }
+        if (show.sphere) addSphereOf(bounds, cloud->points, placement);
     }
 }
 
