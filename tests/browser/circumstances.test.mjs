@@ -2,15 +2,11 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 
-import { assertSilent, figureReady, openPage, useBrowser } from './support.mjs';
+import { assertSilent, openFigure, useBrowser } from './support.mjs';
 
 const running = useBrowser();
 
-async function opened(options, scene = 'b-functions') {
-    const shown = await openPage(running, `#${scene}`, options);
-    await figureReady(shown.page);
-    return shown;
-}
+const opened = (options, scene = 'b-functions') => openFigure(running, `#${scene}`, options);
 
 /** Everything that a hand can press, with its size and where it ends. */
 const controlsOf = (page) => page.evaluate(() => {

@@ -1,14 +1,12 @@
 // The page as a visitor meets it.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
 import { describe, it } from 'node:test';
 import { gzipSync } from 'node:zlib';
 
-import { assertSilent, documentOf, figureReady, openPage, pictureOf, settle, useBrowser } from './support.mjs';
+import { assertSilent, axeViolations, documentOf, figureReady, openFigure, openPage, pictureOf, settle, useBrowser } from './support.mjs';
 
 const running = useBrowser();
-const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const largestFile = 4 * 1024 * 1024;
 
 const small = {
@@ -16,11 +14,7 @@ const small = {
     objects: [{ id: 'hills', type: 'bspline-curve', degree: 2, points: [[0, 0], [1, 2], [2, 0], [3, 2], [4, 0]] }],
 };
 
-async function opened(path = '', options = {}) {
-    const shown = await openPage(running, path, options);
-    await figureReady(shown.page);
-    return shown;
-}
+const opened = (path = '', options = {}) => openFigure(running, path, options);
 
 const scenes = [['bspline-forms', 'B-spline: three forms'], ['b-functions', 'B-functions'], ['butterfly', 'Butterfly']];
 
@@ -215,14 +209,9 @@ describe('the page', { timeout: 300_000 }, () => {
     it('has nothing that axe objects to', async () => {
         for (const colorScheme of ['light', 'dark']) {
             const { page, context } = await opened('', { colorScheme });
-            await page.evaluate(axe);
             for (const [id, title] of scenes) {
                 await choose(page, id, title);
-                const found = await page.evaluate(() => globalThis.axe.run());
-                const told = found.violations.flatMap((violation) =>
-                    violation.nodes.map((node) => `${violation.id}: ${node.target} ${node.html}`));
-                assert.deepEqual(told, [], `${id}, ${colorScheme}`);
-                assert.ok(found.passes.length > 20, 'axe has looked');
+                assert.deepEqual(await axeViolations(page, 20), [], `${id}, ${colorScheme}`);
             }
             await context.close();
         }

@@ -3,15 +3,11 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 
-import { figureReady, openPage, useBrowser } from './support.mjs';
+import { openFigure, useBrowser } from './support.mjs';
 
 const running = useBrowser();
 
-async function opened(scene) {
-    const shown = await openPage(running, `#${scene}`);
-    await figureReady(shown.page);
-    return shown;
-}
+const opened = (scene) => openFigure(running, `#${scene}`);
 
 const select = (page, path) => page.evaluate((p) => document.querySelector('knotwork-figure').focusPoint(p), path);
 const pictureOf = (page) => page.locator('knotwork-figure .view').ariaSnapshot();

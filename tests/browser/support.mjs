@@ -1,7 +1,8 @@
 // What the browser tests share: a server of the delivered files, a browser, and pages that keep a
 // record of everything that they should not have said.
 import assert from 'node:assert/strict';
-import { access } from 'node:fs/promises';
+import { access, readFile } from 'node:fs/promises';
+import { createRequire } from 'node:module';
 import { after, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
 
@@ -106,6 +107,22 @@ async function servePage(page, path, html, css) {
         body, contentType: 'text/html; charset=utf-8', headers: { 'Content-Security-Policy': policy },
     }));
     await page.route('**/test.css', (route) => route.fulfill({ body: css, contentType: 'text/css' }));
+}
+
+/** The same with the first picture of its figure. */
+export async function openFigure(running, path, options) {
+    const shown = await openPage(running, path, options);
+    await figureReady(shown.page);
+    return shown;
+}
+
+/** What axe objects to in a page, having found at least so much to look at. */
+export async function axeViolations(page, leastPasses = 10) {
+    const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js');
+    await page.evaluate(await readFile(axe, 'utf8'));
+    const found = await page.evaluate(() => globalThis.axe.run());
+    assert.ok(found.passes.length > leastPasses, 'axe has looked');
+    return found.violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target} ${node.html}`));
 }
 
 /** Waits until this figure has its first picture. */

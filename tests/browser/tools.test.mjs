@@ -1,32 +1,19 @@
 // The page's gallery and tools: scenes to choose from, files out and in, help, and what is kept.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
 import { describe, it } from 'node:test';
 
 import { PNG } from 'pngjs';
 
 import { pageKeys, pictureKeys } from '../../web/keys.mjs';
-import { assertSilent, documentOf, figureReady, openPage, settle, useBrowser } from './support.mjs';
+import { assertSilent, axeViolations, documentOf, figureReady, openFigure, settle, useBrowser } from './support.mjs';
 
 const running = useBrowser();
-const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const read = (file) => readFile(new URL(`../../${file}`, import.meta.url), 'utf8');
 
-async function opened(path = '', options = {}) {
-    const shown = await openPage(running, path, options);
-    await figureReady(shown.page);
-    return shown;
-}
+const opened = (path = '', options = {}) => openFigure(running, path, options);
 
 const titled = (page, title) => page.waitForFunction((text) => document.querySelector('h1').textContent === text, title);
-
-async function violations(page) {
-    await page.evaluate(axe);
-    const found = await page.evaluate(() => globalThis.axe.run());
-    assert.ok(found.passes.length > 10, 'axe has looked');
-    return found.violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target} ${node.html}`));
-}
 
 describe('the gallery', { timeout: 300_000 }, () => {
     it('has every scene with its picture in a topic of its own', async () => {
@@ -81,7 +68,7 @@ describe('the dialogs', { timeout: 300_000 }, () => {
             for (const name of ['Scenes', 'Export', 'Help']) {
                 await page.getByRole('button', { name }).click();
                 const dialog = page.getByRole('dialog', { name });
-                assert.deepEqual(await violations(page), [], name);
+                assert.deepEqual(await axeViolations(page), [], name);
                 const { scrollWidth, clientWidth } = await dialog.locator('.dialog-body').evaluate((body) =>
                     ({ scrollWidth: body.scrollWidth, clientWidth: body.clientWidth }));
                 assert.ok(scrollWidth <= clientWidth, `${name}: ${scrollWidth} in ${clientWidth}`);

@@ -1,19 +1,13 @@
 // Algorithms step by step: picture, sentence and formula in step, by buttons, keys and the interface.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
 import { describe, it } from 'node:test';
 
-import { assertSilent, documentOf, figureReady, openPage, settle, useBrowser } from './support.mjs';
+import { assertSilent, axeViolations, documentOf, openFigure, openPage, settle, useBrowser } from './support.mjs';
 
 const running = useBrowser();
-const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-async function opened(scene, options = {}) {
-    const shown = await openPage(running, `#${scene}`, options);
-    await figureReady(shown.page);
-    return shown;
-}
+const opened = (scene, options = {}) => openFigure(running, `#${scene}`, options);
 
 const frameOf = async (page) => (await documentOf(page)).objects[0].trace.frame;
 const strip = (page) => page.getByRole('region', { name: 'Step by step' });
@@ -135,9 +129,7 @@ describe('a trace', { timeout: 300_000 }, () => {
         for (const options of [{}, { viewport: { width: 320, height: 640 }, colorScheme: 'dark' }]) {
             const { page, context } = await opened('oslo', options);
             assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
-            await page.evaluate(axe);
-            const { violations } = await page.evaluate(() => globalThis.axe.run());
-            assert.deepEqual(violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target}`)), []);
+            assert.deepEqual(await axeViolations(page), []);
             await context.close();
         }
     });

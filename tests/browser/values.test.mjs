@@ -1,19 +1,12 @@
 // The values panel: axioms, comparisons, and a control for every field of every kind of object.
 import assert from 'node:assert/strict';
-import { readFile } from 'node:fs/promises';
-import { createRequire } from 'node:module';
 import { describe, it } from 'node:test';
 
-import { assertSilent, documentOf, figureReady, handlesOf, openPage, settle, useBrowser } from './support.mjs';
+import { assertSilent, axeViolations, documentOf, handlesOf, openFigure, settle, useBrowser } from './support.mjs';
 
 const running = useBrowser();
-const axe = await readFile(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-async function opened(scene, options = {}) {
-    const shown = await openPage(running, `#${scene}`, options);
-    await figureReady(shown.page);
-    return shown;
-}
+const opened = (scene, options = {}) => openFigure(running, `#${scene}`, options);
 
 /** Shows a document that is made of these objects. */
 async function openedWith(...objects) {
@@ -214,9 +207,7 @@ describe('the values panel', { timeout: 300_000 }, () => {
         for (const scene of ['b-function-axioms', 'blending-surface', 'blending-compare']) {
             const { page, context } = await opened(scene, { viewport: { width: 320, height: 640 } });
             assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), scene);
-            await page.evaluate(axe);
-            const { violations } = await page.evaluate(() => globalThis.axe.run());
-            assert.deepEqual(violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target} ${node.html}`)), [], scene);
+            assert.deepEqual(await axeViolations(page), [], scene);
             await context.close();
         }
     });
