@@ -5,9 +5,7 @@
 
 #include <cstdint>
 
-namespace knotwork::render {
-
-using drawing::ColourBytes;
+namespace knotwork::drawing {
 
 [[nodiscard]] constexpr std::uint8_t toByte(double component) noexcept {
     if (!(component > 0)) return 0;
@@ -20,4 +18,4 @@ using drawing::ColourBytes;
             toByte(colour.alpha * opacity)};
 }
 
-}  // namespace knotwork::render
+}  // namespace knotwork::drawing

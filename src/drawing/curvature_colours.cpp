@@ -1,5 +1,6 @@
 #include "drawing/curvature_colours.hpp"
 
+#include "drawing/colour_bytes.hpp"
 #include "geometry/triangle_curvatures.hpp"
 
 #include <algorithm>
@@ -18,18 +19,11 @@ constexpr int steps = 128;
 /// Curvature times size (of Gauss's: times its square) below which rounding is all that is seen.
 constexpr double asGoodAsFlat = 1e-6;
 
-ColourBytes bytesOf(const Colour& colour) noexcept {
-    const auto byte = [](double c) {
-        return static_cast<std::uint8_t>(std::clamp(c, 0.0, 1.0) * 255 + 0.5);
-    };
-    return {byte(colour.red), byte(colour.green), byte(colour.blue), 255};
-}
-
 std::array<ColourBytes, 2 * steps + 1> table() noexcept {
     std::array<ColourBytes, 2 * steps + 1> colours{};
     for (int i = -steps; i <= steps; ++i) {
         colours[static_cast<std::size_t>(i + steps)] =
-            bytesOf(curvatureColour(static_cast<double>(i) / steps));
+            toBytes(curvatureColour(static_cast<double>(i) / steps));
     }
     return colours;
 }

@@ -6,7 +6,7 @@
 // position is known but no segment leads there).
 #pragma once
 
-#include "render/colour_bytes.hpp"
+#include "drawing/colour_bytes.hpp"
 #include "render/projection.hpp"
 
 #include <cstddef>
@@ -14,6 +14,8 @@
 #include <vector>
 
 namespace knotwork::render {
+
+using drawing::ColourBytes;
 
 constexpr float noNeighbour = -1;
 constexpr float neighbourOnly = -2;

@@ -1,12 +1,14 @@
 // Points as the point program reads them.
 #pragma once
 
-#include "render/colour_bytes.hpp"
+#include "drawing/colour_bytes.hpp"
 #include "render/projection.hpp"
 
 #include <vector>
 
 namespace knotwork::render {
+
+using drawing::ColourBytes;
 
 struct PointVertex {
     float x = 0;  ///< device pixels from the middle of the pane

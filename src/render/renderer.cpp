@@ -8,6 +8,7 @@
 namespace knotwork::render {
 namespace {
 
+using drawing::toBytes;
 using gl::Attribute;
 using Type = gl::Attribute::Type;
 

@@ -2,7 +2,7 @@
 // are painted. These loops run over a hundred thousand vertices in a frame of a drag.
 #pragma once
 
-#include "render/colour_bytes.hpp"
+#include "drawing/colour_bytes.hpp"
 
 #include "geometry/vec.hpp"
 
@@ -13,6 +13,8 @@
 #include <vector>
 
 namespace knotwork::render {
+
+using drawing::ColourBytes;
 
 struct SurfaceVertex {
     std::array<float, 3> position{};        ///< from an origin near the surface

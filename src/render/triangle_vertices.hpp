@@ -1,13 +1,15 @@
 // Triangles as the triangle program reads them, and areas under graphs as triangles.
 #pragma once
 
-#include "render/colour_bytes.hpp"
+#include "drawing/colour_bytes.hpp"
 #include "render/projection.hpp"
 
 #include <span>
 #include <vector>
 
 namespace knotwork::render {
+
+using drawing::ColourBytes;
 
 struct TriangleVertex {
     float x = 0;  ///< device pixels from the middle of the pane

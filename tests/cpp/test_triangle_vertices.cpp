@@ -8,6 +8,9 @@
 namespace knotwork::render {
 namespace {
 
+using drawing::toByte;
+using drawing::toBytes;
+
 constexpr Rect pane{0, 0, 200, 100};
 
 Projection pixels() { return Projection::flat(pane, Vec3(0.0), 1, 1); }
