@@ -2,14 +2,17 @@
 // the moment its element is connected until it is removed for good.
 
 import { setText } from './dom.mjs';
+import { Changes } from './figure-changes.mjs';
+import { buttonActions, pressKey } from './figure-commands.mjs';
 import { FigureControls } from './figure-controls.mjs';
-import { FigureHands } from './figure-hands.mjs';
-import { FigureInput } from './figure-input.mjs';
-import { Announcer, deferred, makeParts, watch } from './figure-parts.mjs';
+import { dressView, joinHands } from './figure-joining.mjs';
+import { Announcer, makeParts, watch } from './figure-parts.mjs';
+import { Playback } from './figure-playback.mjs';
 import { doneSentence } from './figure-sentences.mjs';
-import { describe, selectFirst, showFailure, showRefusal } from './figure-telling.mjs';
+import { Sight } from './figure-sight.mjs';
 import { readSource } from './figure-source.mjs';
 import { figureSheet } from './figure-style.mjs';
+import { describe, selectFirst, showFailure, showRefusal } from './figure-telling.mjs';
 import { FigureView } from './figure-view.mjs';
 import { sharedStage } from './stage.mjs';
 
@@ -41,24 +44,28 @@ export class Figure {
     /** @type {any} */
     #scene;
     #sceneName = '';
-    #source = 'api';
-    #final = true;
     #loading = 0;
     #refreshing = false;
     #toldRevision = -1;
     #expert = false;
     #disposed = false;
-    /** @type {FigureInput | undefined} */
+    /** @type {import('./figure-input.mjs').FigureInput | undefined} */
     #input;
-    /** @type {FigureHands | undefined} */
+    /** @type {import('./figure-hands.mjs').FigureHands | undefined} */
     #hands;
-    /** The change that was told last. @type {{ source: string, command: any, what?: string }} */
-    #done = { source: '', command: null };
-    /** @type {(() => void)[]} */
-    #awaitingPicture = [];
-    /** Whether it can be seen is known; it can be seen. */
-    #lookedFor = deferred();
-    #inSight = deferred();
+    #sight = new Sight();
+    #changes = new Changes({
+        emit: (type, detail) => this.host.emit(type, detail),
+        changed: () => this.#refreshSoon(),
+    });
+    #playback = new Playback({
+        words: () => this.host.wishes().words,
+        say: (sentence) => this.#announcer.say(sentence),
+        moved: () => {
+            this.#refreshToolbar();
+            this.#request();
+        },
+    });
 
     /**
      * @param {ShadowRoot} root
@@ -70,9 +77,9 @@ export class Figure {
         root.adoptedStyleSheets = [figureSheet()];
         root.replaceChildren(this.#parts.frame);
         this.controls = new FigureControls(this.#parts, {
-            actions: this.#actions(),
+            actions: buttonActions(this),
             kw: () => this.kw,
-            run: (command, final) => this.#run(command, final),
+            run: (command, final) => this.#changes.run(this.#scene, command, final),
             setStep: (step) => {
                 this.#stage?.app.setStep(this.view.id, step);
                 this.#follow();
@@ -83,10 +90,7 @@ export class Figure {
             ticked: () => this.#ticked(),
             failed: (message) => this.#showFailure(message),
             painted: () => this.#painted(),
-            crossed: (onScreen) => {
-                this.#lookedFor.resolve(undefined);
-                if (onScreen) this.#inSight.resolve(undefined);
-            },
+            crossed: (onScreen) => this.#sight.crossed(onScreen),
         });
         this.applyWishes();
     }
@@ -105,16 +109,20 @@ export class Figure {
     }
 
     get playing() {
-        return this.#stage?.app.playing(this.view.id) ?? false;
+        return this.#playback.playing;
     }
 
     get phase() {
-        return this.#stage?.app.phase(this.view.id) ?? 0;
+        return this.#playback.phase;
+    }
+
+    get moves() {
+        return this.#playback.moves;
     }
 
     /** Resolves as soon as the element has come into sight for the first time. */
     get seen() {
-        return this.#inSight.promise;
+        return this.#sight.seen;
     }
 
     // Scenes
@@ -151,9 +159,11 @@ export class Figure {
         this.#scene = scene;
         app.attach(this.view.id, scene.handle);
         former?.dispose();
-        watch(scene, (what, command, answer) => this.#changed(what, command, answer));
-        app.setPhase(this.view.id, 0);
-        app.setPlaying(this.view.id, this.#moves && !this.host.wishes().still);
+        watch(scene, (what, command, answer) => {
+            this.#changes.heard(what, command, answer);
+            this.#request();
+        });
+        this.#playback.begin(this.host.wishes().still);
         this.#toldRevision = -1;
         this.#parts.refusal.hidden = true;
         this.controls.forget();
@@ -166,25 +176,16 @@ export class Figure {
         if (this.#disposed || this.#stage) return this.#stage;
         this.#stage = stage;
         const id = this.view.join(stage);
-        const hands = new FigureHands(this.#parts, {
-            app: stage.app, id,
+        this.#playback.join(stage.app, id);
+        const { hands, input } = joinHands(this.#parts, { app: stage.app, id }, {
             wishes: () => this.host.wishes(),
             say: (sentence) => this.#announcer.say(sentence),
             acted: () => this.#acted(),
-            ran: () => this.#input?.run(),
             openValues: (held) => this.controls.focusValues(held),
+            shortcut: (event) => pressKey(this, event),
         });
         this.#hands = hands;
-        this.#input = new FigureInput(this.#parts.wrapper, {
-            app: stage.app, id,
-            before: (event) => hands.before(event),
-            pressed: (key) => hands.pressed(key),
-            places: (x, y) => hands.places(x, y),
-            acted: () => this.#acted(),
-            readOnly: () => this.host.wishes().readOnly,
-            wheelZoom: () => this.host.wishes().wheelZoom,
-            shortcut: (event) => this.#shortcut(event),
-        });
+        this.#input = input;
         this.applyWishes();
         if (stage.unavailable) this.#showFailure(stage.unavailable);
         return stage;
@@ -194,37 +195,27 @@ export class Figure {
 
     undo() {
         this.#input?.settle();
-        return this.#as('history', () => this.#scene?.undo() ?? false);
+        return this.#changes.as('history', () => this.#scene?.undo() ?? false);
     }
 
     redo() {
         this.#input?.settle();
-        return this.#as('history', () => this.#scene?.redo() ?? false);
+        return this.#changes.as('history', () => this.#scene?.redo() ?? false);
     }
 
     /** @param {boolean} playing */
     setPlaying(playing) {
-        if (!this.#stage || !this.#moves) return;
-        const { app } = this.#stage;
-        app.setPlaying(this.view.id, playing);
-        const { words } = this.host.wishes();
-        const value = words.number(Math.round(app.phase(this.view.id) * 100) / 100);
-        this.#announcer.say(words.text(playing ? 'said.playing' : 'said.paused', { value }));
-        this.#refreshToolbar();
-        this.#request();
+        this.#playback.play(playing);
     }
 
     /** @param {number} phase */
     seek(phase) {
-        this.#stage?.app.setPlaying(this.view.id, false);
-        this.#stage?.app.setPhase(this.view.id, phase);
-        this.#refreshToolbar();
-        this.#request();
+        this.#playback.seek(phase);
     }
 
     /** Everything as it was when the document was opened; redo brings the changes back. */
     reset() {
-        this.#as('history', () => {
+        this.#changes.as('history', () => {
             while (this.#scene?.undo());
         });
         this.seek(0);
@@ -253,71 +244,29 @@ export class Figure {
         this.#request();
     }
 
-    /** @returns {import('./figure-toolbar.mjs').Actions} */
-    #actions() {
-        return {
-            undo: () => this.undo(),
-            redo: () => this.redo(),
-            togglePlay: () => this.setPlaying(!this.playing),
-            reset: () => this.reset(),
-            fit: () => this.fit(),
-            toggleExpert: () => this.#toggleExpert(),
-            toggleValues: () => {
-                this.controls.toggleValues();
-                this.#refresh();
-            },
-            nextTheme: () => this.host.nextTheme(),
-            seek: (phase) => this.seek(phase),
-        };
+    toggleValues() {
+        this.controls.toggleValues();
+        this.#refresh();
     }
 
-    /**
-     * Executes a command that was typed; answers its refusal.
-     * @param {any} command
-     * @param {boolean} final whether the gesture, if it is one, ends here
-     */
-    #run(command, final) {
-        this.#final = final;
-        try {
-            this.#as('field', () => this.#scene.execute(command));
-            return null;
-        } catch (error) {
-            return error;
-        } finally {
-            this.#final = true;
-        }
+    toggleExpert() {
+        this.#expert = !this.#expert;
+        this.#stage?.app.focus(this.view.id);
+        this.#stage?.app.setPanel(this.view.id, this.#expert);
+        this.#refreshToolbar();
+        this.#request();
     }
 
-    /**
-     * @template T
-     * @param {string} source
-     * @param {() => T} act
-     * @returns {T}
-     */
-    #as(source, act) {
-        const former = this.#source;
-        this.#source = source;
-        try {
-            return act();
-        } finally {
-            this.#source = former;
-        }
+    /** Selects what comes first where nothing is selected; answers whether it did. */
+    selectFirst() {
+        if (this.selection || !this.#scene || !this.#stage) return false;
+        if (!selectFirst(this.#stage.app, this.view.id, this.#scene.document)) return false;
+        this.#hands?.follow(false);
+        this.#hands?.tell();
+        return true;
     }
 
     // What follows from changes
-
-    /**
-     * @param {string} what
-     * @param {any} command
-     * @param {any} answer what the scene said to it
-     */
-    #changed(what, command, answer) {
-        const source = what === 'execute' ? this.#source : 'history';
-        this.host.emit(this.#final ? 'change' : 'input', { source, path: answer?.path ?? '', command: command ?? null });
-        this.#done = { source, command, what };
-        this.#refreshSoon();
-        this.#request();
-    }
 
     /** After input that the application has seen. */
     #acted() {
@@ -328,13 +277,7 @@ export class Figure {
     }
 
     #tellEvents() {
-        const text = this.#stage?.app.takeEvents(this.view.id);
-        if (!text || text === '[]') return;
-        for (const { type, ...detail } of JSON.parse(text)) {
-            this.host.emit(type, detail);
-            this.#done = detail;
-        }
-        this.#refreshSoon();
+        if (this.#stage) this.#changes.tellEvents(this.#stage.app, this.view.id);
     }
 
     #follow() {
@@ -350,19 +293,15 @@ export class Figure {
 
     #painted() {
         this.#parts.fallback.hidden = true;
-        this.#showPicture();
-    }
-
-    #showPicture() {
-        for (const resolve of this.#awaitingPicture.splice(0)) resolve();
+        this.#sight.painted();
     }
 
     /** Waits for the first picture, where there is anyone to see it. */
     async #picture() {
         if (document.visibilityState === 'hidden' || this.#stage?.unavailable) return;
-        await this.#lookedFor.promise;
+        await this.#sight.looked;
         if (!this.view.onScreen || this.#disposed) return;
-        const painted = new Promise((resolve) => { this.#awaitingPicture.push(() => resolve(undefined)); });
+        const painted = this.#sight.painting();
         this.#request();
         await painted;
     }
@@ -393,24 +332,20 @@ export class Figure {
         const sentence = describe(this.#parts, this.host.wishes().words, scene, document, this.#sceneName);
         const step = this.controls.showTrace(document, this.selection?.object ?? -1);
         if (opened) return;
-        this.#announcer.say(step || doneSentence(this.host.wishes().words, this.#done, document, sentence));
+        this.#announcer.say(step || doneSentence(this.host.wishes().words, this.#changes.last, document, sentence));
     }
 
     #refreshToolbar() {
         if (!this.#stage) return;
         this.#input?.follow();
         this.controls.update({
-            moves: this.#moves,
+            moves: this.moves,
             playing: this.playing,
-            phase: this.#stage.app.phase(this.view.id),
+            phase: this.phase,
             canUndo: this.#scene?.canUndo ?? false,
             canRedo: this.#scene?.canRedo ?? false,
             expert: this.#expert,
         });
-    }
-
-    get #moves() {
-        return (this.#stage?.app.period(this.view.id) ?? 0) > 0;
     }
 
     // Dressing
@@ -426,51 +361,15 @@ export class Figure {
         this.#toldRevision = -1;
         this.#refresh();
         if (!this.#stage) return;
-        const { app } = this.#stage;
-        app.setTheme(this.view.id, wishes.theme);
-        app.setWords(this.view.id, JSON.stringify(wishes.words.picture()));
-        app.setReadOnly(this.view.id, wishes.readOnly);
-        app.setReducedMotion(this.view.id, wishes.still);
-        if (wishes.still) app.setPlaying(this.view.id, false);
+        dressView(this.#stage.app, this.view.id, wishes);
         if (this.view.onScreen) this.#stage.paint(this.view.id);  // with the colours around it
         this.#request();
-    }
-
-    #toggleExpert() {
-        this.#expert = !this.#expert;
-        this.#stage?.app.focus(this.view.id);
-        this.#stage?.app.setPanel(this.view.id, this.#expert);
-        this.#refreshToolbar();
-        this.#request();
-    }
-
-    /**
-     * Keys of the figure that the application has no use for.
-     * @param {KeyboardEvent} event
-     */
-    #shortcut(event) {
-        const command = event.ctrlKey || event.metaKey;
-        const key = event.key.toLowerCase();
-        if (key === ' ' && this.#moves) this.setPlaying(!this.playing);
-        else if (key === 'pagedown' || key === 'pageup') return this.#selectFirst();
-        else if (command && key === 'z' && !event.shiftKey) this.undo();
-        else if (command && (key === 'y' || key === 'z')) this.redo();
-        else return false;
-        return true;
-    }
-
-    #selectFirst() {
-        if (this.selection || !this.#scene || !this.#stage) return false;
-        if (!selectFirst(this.#stage.app, this.view.id, this.#scene.document)) return false;
-        this.#hands?.follow(false);
-        this.#hands?.tell();
-        return true;
     }
 
     /** @param {string} reason */
     #showFailure(reason) {
         showFailure(this.#parts, this.host.wishes().words, reason);
-        this.#showPicture();
+        this.#sight.painted();
     }
 
     /** @param {any} error why a document was refused */
@@ -482,9 +381,8 @@ export class Figure {
         this.#disposed = true;
         this.#announcer.silence();
         this.controls.dispose();
-        this.#lookedFor.resolve(undefined);
-        this.#inSight.resolve(undefined);
-        this.#showPicture();
+        this.#sight.end();
+        this.#playback.leave();
         this.#input?.dispose();
         this.view.leave();
         this.#scene?.dispose();

@@ -190,7 +190,7 @@ describe('the help', { timeout: 300_000 }, () => {
     it('names exactly the keys that are taken', async () => {
         const view = await read('src/app/view_keys.cpp');
         const taken = new Set([...view.matchAll(/name == "([^"]+)"/g)].map(([, key]) => key.replace(/^Z$/, 'z')));
-        for (const [, key] of (await read('web/figure.mjs')).matchAll(/key === '([^']+)'/g)) {
+        for (const [, key] of (await read('web/figure-commands.mjs')).matchAll(/key === '([^']+)'/g)) {
             taken.add({ pagedown: 'PageDown', pageup: 'PageUp' }[key] ?? key);
         }
         for (const [, key] of (await read('web/page.mjs')).matchAll(/key !== '([^']+)'/g)) taken.add(key);
