@@ -1,5 +1,5 @@
 // What ./dev bench runs: ratios against peers through the public interface, building and copying out
-// included. Exits with 1 where a limit is missed or a result differs.
+// included, and what the page costs in a browser. Exits with 1 where a limit is missed or a result differs.
 //   node tests/bench/run.mjs [part of a case's name]
 import process from 'node:process';
 
@@ -14,6 +14,7 @@ import { refinementCases } from './cases/refinement.mjs';
 import { sceneCases } from './cases/scenes.mjs';
 import { subdivisionCases } from './cases/subdivision.mjs';
 import { surfaceCases } from './cases/surfaces.mjs';
+import { measurePage } from './page.mjs';
 import { compare, largestDifference } from './ratio.mjs';
 
 /** @typedef {import('./cases/case.mjs').Case} Case */
@@ -105,4 +106,5 @@ for (const given of [...cases, ...drawingCases(kw)].filter(({ name }) => name.in
         allKept = false;
     }
 }
+allKept = await measurePage(wanted, distribution) && allKept;
 process.exitCode = allKept ? 0 : 1;

@@ -13,14 +13,14 @@ import { serve } from '../../tools/serve.mjs';
 /** The folder under test; another build can be named in the environment. */
 export const distribution = process.env.KNOTWORK_DIST ?? fileURLToPath(new URL('../../dist/', import.meta.url));
 const browsers = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
-const browserFlags = [
+export const browserFlags = [
     '--headless', '--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
     '--disable-background-networking', '--disable-component-update', '--disable-sync', '--no-first-run',
     '--force-color-profile=srgb', '--hide-scrollbars',
 ];
 const policy = "script-src 'self' 'wasm-unsafe-eval'; style-src 'self'";
 
-async function browserPath() {
+export async function browserPath() {
     for (const path of [process.env.KNOTWORK_CHROMIUM, ...browsers]) {
         if (path && await access(path).then(() => true, () => false)) return path;
     }
