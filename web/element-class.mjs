@@ -76,11 +76,12 @@ export class KnotworkFigure extends Base {
         return this.#figure?.scene;
     }
 
-    /** What the figures of this page hold and have done: views, GL objects, frames, pictures. */
+    /** What the figures of this page hold and have done: views, GL objects, bytes, frames, pictures. */
     static async stats() {
         const stage = await sharedStage();
-        const held = stage.kw.session.held();
-        return { ...JSON.parse(stage.app.stats()), pictures: stage.painted, held };
+        const { session } = stage.kw;
+        const [held, memory] = [session.held(), session.memoryInUse()];
+        return { ...JSON.parse(stage.app.stats()), pictures: stage.painted, held, memory };
     }
 
     /** What is selected in the picture, or null. */

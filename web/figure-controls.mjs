@@ -14,6 +14,9 @@ import { ValuesPanel } from './values-panel.mjs';
  * @property {(step: { source: string, frame: number, frames: number }) => void} stepped
  */
 
+/** Whether there is a panel of values among such controls. @param {string} controls */
+export const hasValues = (controls) => controls === 'full' || controls === 'values';
+
 export class FigureControls {
     /** @type {FigureToolbar | undefined} */
     #toolbar;
@@ -116,7 +119,7 @@ export class FigureControls {
     /** @param {import('./figure.mjs').Wishes} wishes */
     #makePanel({ words, readOnly, controls }) {
         const kw = this.host.kw();
-        if (!kw || !['full', 'values'].includes(controls)) return undefined;
+        if (!kw || !hasValues(controls)) return undefined;
         return new ValuesPanel({ words, kw, readOnly, run: this.host.run, setStep: this.host.setStep });
     }
 

@@ -1,27 +1,40 @@
 // What a figure says in words: its text alternative, and why it shows nothing.
 
 import { el, setText } from './dom.mjs';
+import { hasValues } from './figure-controls.mjs';
 import { shapeSentence } from './shape.mjs';
 
 /** @typedef {ReturnType<import('./figure-parts.mjs').makeParts>} Parts */
 /** @typedef {import('./words.mjs').Words} Words */
 
 /**
+ * What keys do in this figure, and where its numbers are.
+ * @param {import('./figure.mjs').Wishes} wishes
+ */
+function keysSentence({ words, readOnly, controls }) {
+    const panel = hasValues(controls);
+    return [
+        ...readOnly ? [] : ['hands'], ...panel && !readOnly ? ['exact'] : [], 'view', ...panel ? ['values'] : [],
+    ].map((part) => words.text(`figure.keys.${part}`)).join(' ');
+}
+
+/**
  * Keeps the text alternative in step with the picture, and answers its sentence about the shape.
  * @param {Parts} parts
- * @param {Words} words
+ * @param {import('./figure.mjs').Wishes} wishes
  * @param {any} scene
  * @param {any} document of the scene
  * @param {string} name of a built-in scene, or ''
  */
-export function describe(parts, words, scene, document, name) {
+export function describe(parts, wishes, scene, document, name) {
+    const { words } = wishes;
     const { title, objects } = document;
     const shown = words.scene(name, 'title', title ?? '');
     parts.wrapper.setAttribute('aria-label', words.text('figure', { title: shown }));
     const labels = new Map(scene.schema.map((/** @type {any} */ o) => [o.object, o.label ?? o.type]));
     const sentence = objects.map((/** @type {any} */ object) =>
         shapeSentence(words, object, labels.get(object.id) ?? object.type)).join(' ');
-    setText(parts.about, `${sentence} ${words.text('figure.keys')}`);
+    setText(parts.about, `${sentence} ${keysSentence(wishes)}`);
     return sentence;
 }
 

@@ -329,7 +329,7 @@ export class Figure {
         const opened = this.#toldRevision < 0;
         this.#toldRevision = scene.revision;
         const { document } = scene;
-        const sentence = describe(this.#parts, this.host.wishes().words, scene, document, this.#sceneName);
+        const sentence = describe(this.#parts, this.host.wishes(), scene, document, this.#sceneName);
         const step = this.controls.showTrace(document, this.selection?.object ?? -1);
         if (opened) return;
         this.#announcer.say(step || doneSentence(this.host.wishes().words, this.#changes.last, document, sentence));

@@ -30,6 +30,8 @@ export class Stage {
     #views = new Map();
     #frame = 0;
     #lost = false;
+    /** @type {WebGL2RenderingContext | null} */
+    #context = null;
     /** Pictures painted so far. */
     painted = 0;
 
@@ -86,8 +88,10 @@ export class Stage {
 
     /** @returns {string} '' or why there will be no pictures */
     #startDrawing() {
-        const context = this.canvas.getContext('webgl2', contextAttributes);
+        const context = /** @type {WebGL2RenderingContext | null} */ (
+            this.canvas.getContext('webgl2', contextAttributes));
         if (!context) return 'WebGL 2 is not available';
+        this.#context = context;
         this.canvas.addEventListener('webglcontextlost', (event) => this.#onLost(event));
         this.canvas.addEventListener('webglcontextrestored', () => this.#onRestored());
         this.handle = this.module.GL.registerContext(context, { majorVersion: 2, ...contextAttributes });
@@ -138,8 +142,11 @@ export class Stage {
     }
 
     #onRestored() {
+        const isLost = () => this.#context?.isContextLost() ?? true;
+        const problem = isLost() ? '' : this.app.contextRestored();
+        if (isLost()) return;  // again, before it was of any use; this will be heard again too
         this.#lost = false;
-        this.unavailable = this.app.contextRestored();
+        this.unavailable = problem;
         if (this.unavailable) {
             for (const view of this.#views.values()) view.failed(this.unavailable);
         }

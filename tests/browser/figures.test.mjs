@@ -113,25 +113,6 @@ describe('figures on one page', { timeout: 300_000 }, () => {
         await context.close();
     });
 
-    it('come and go a hundred times without growing', async () => {
-        const { page, context } = await openedTwo();
-        const round = () => page.evaluate(async () => {
-            for (let k = 0; k < 50; k += 1) {
-                const figure = document.createElement('knotwork-figure');
-                figure.setAttribute('scene', 'b-functions');
-                document.body.prepend(figure);
-                await figure.ready;
-                figure.remove();
-            }
-        });
-        await round();
-        const before = await stats(page);
-        await round();
-        const after = await stats(page);
-        for (const name of ['views', 'held', 'glObjects']) assert.equal(after[name], before[name], name);
-        await context.close();
-    });
-
     it('are drawn only while they can be seen', async () => {
         const { page, context } = await opened(`<div class="tall"></div>
             <knotwork-figure id="a" scene="butterfly" controls="none"></knotwork-figure>`, { reducedMotion: 'no-preference' });

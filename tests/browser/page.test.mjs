@@ -58,11 +58,12 @@ describe('the page', { timeout: 300_000 }, () => {
     });
 
     it('brings its first picture in less than 1 MB of downloads', async () => {
-        const { page, context } = await openPage(running, 'favicon.svg');
         const bodies = [];
-        page.on('response', (response) => bodies.push(response.body().then((body) => [response.url(), body])));
-        await page.goto(running.server.url);
-        await figureReady(page);
+        const { context } = await opened('', {
+            before: (page) => page.on('response', (response) => {
+                bodies.push(response.body().then((body) => [response.url(), body]));
+            }),
+        });
         const sizes = (await Promise.all(bodies)).map(([url, body]) => [url, gzipSync(body).length]);
         const total = sizes.reduce((sum, [, size]) => sum + size, 0);
         assert.ok(sizes.some(([url]) => url.endsWith('.wasm')), 'the module is among what was counted');
@@ -107,10 +108,9 @@ describe('the page', { timeout: 300_000 }, () => {
     });
 
     it('opens a document from an address', async () => {
-        const { page, context } = await openPage(running, 'favicon.svg');
-        await page.route('**/mine.json', (route) => route.fulfill({ json: small }));
-        await page.goto(`${running.server.url}?src=mine.json`);
-        await figureReady(page);
+        const { page, context } = await opened('?src=mine.json', {
+            before: (page) => page.route('**/mine.json', (route) => route.fulfill({ json: small })),
+        });
         assert.equal(await page.locator('h1').innerText(), 'A document of my own');
         await context.close();
     });

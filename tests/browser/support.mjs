@@ -29,14 +29,16 @@ export async function browserPath() {
 
 /** Starts server and browser for the tests of one file, and stops them after the last. */
 export function useBrowser() {
-    const running = {};
+    const running = { unheard: new Set() };
     before(async () => {
         running.server = await serve({ directory: distribution });
         running.browser = await chromium.launch({ executablePath: await browserPath(), args: browserFlags });
     });
     after(async () => {
+        const said = [...running.unheard].flat();
         await running.browser?.close();
         await running.server?.close();
+        assert.deepEqual(said, [], 'no page says anything on the console');
     });
     return running;
 }
@@ -70,31 +72,52 @@ function observe() {
     };
 }
 
+/** Everything that pages of a context should not have said, as they say it. */
+function listen(context) {
+    const said = [];
+    context.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));
+    context.on('weberror', (problem) => said.push(`error: ${problem.error().stack ?? problem.error()}`));
+    context.on('requestfailed', (request) => said.push(`failed: ${request.url()}`));
+    context.on('response', (response) => {
+        if (response.status() >= 400) said.push(`${response.status()}: ${response.url()}`);
+    });
+    return said;
+}
+
+/** A context whose test fails when it is closed after one of its pages has said anything. */
+async function quietContext({ browser, unheard }, options) {
+    const context = await browser.newContext(options);
+    const said = listen(context);
+    unheard.add(said);
+    const close = context.close.bind(context);
+    context.close = async () => {
+        const heard = [...said];
+        unheard.delete(said);
+        await close();
+        assert.deepEqual(heard, [], 'no page says anything on the console');
+    };
+    return { context, said };
+}
+
 /**
  * A page at rest: reduced motion, one device pixel a CSS pixel, light, English, unless told otherwise.
- * @param {{ server: { url: string }, browser: import('playwright-core').Browser }} running
+ * @param {ReturnType<typeof useBrowser>} running
  * @param {string} path
  * @param {object} [options] of the browser's context; `html` makes `path` a page of this markup,
- *     `css` its style sheet; `script` runs before its own
+ *     `css` its style sheet; `script` runs before its own; `before` gets it before it goes anywhere
  */
-export async function openPage({ server, browser }, path = '', { html, css = '', script, ...options } = {}) {
-    const context = await browser.newContext({
+export async function openPage({ server, ...running }, path = '', { html, css = '', script, before, ...options } = {}) {
+    const { context, said } = await quietContext(running, {
         viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce', colorScheme: 'light',
         locale: 'en-GB', ...options,
     });
     const page = await context.newPage();
-    const said = [];
     const fetched = [];
     page.on('request', (request) => fetched.push(request.url()));
-    page.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));
-    page.on('pageerror', (error) => said.push(`error: ${error.stack ?? error}`));
-    page.on('requestfailed', (request) => said.push(`failed: ${request.url()}`));
-    page.on('response', (response) => {
-        if (response.status() >= 400) said.push(`${response.status()}: ${response.url()}`);
-    });
     await page.addInitScript(observe);
     if (script) await page.addInitScript(script);
     if (html !== undefined) await servePage(page, path, html, css);
+    await before?.(page);
     await page.goto(server.url + path);
     return { page, context, said, fetched };
 }
