@@ -100,6 +100,8 @@ const toolbar = `
     border-block-start: 1px solid var(--line);
 }
 .motion { display: flex; align-items: center; gap: 0.25rem; flex: 1 1 12rem; max-width: 30rem; }
+/* Moves at every picture: on a layer of its own nothing else is painted again with it. */
+.scrubber { will-change: transform; }
 .spring { flex: 1 0 0; }
 .button {
     display: inline-flex;

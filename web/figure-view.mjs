@@ -1,9 +1,11 @@
 // The picture of a figure: its canvas, its exact size in device pixels, and whether anyone sees it.
 
 import { el } from './dom.mjs';
-import { drawLabels } from './figure-labels.mjs';
+import { handsOver } from './stage.mjs';
 
 /** @typedef {import('./stage.mjs').Stage} Stage */
+/** @typedef {import('./stage.mjs').Source} Source */
+/** @typedef {import('./stage.mjs').Size} Size */
 
 export class FigureView {
     #width = 0;
@@ -35,8 +37,8 @@ export class FigureView {
         this.#stage = stage;
         this.id = stage.add({
             visible: () => this.#onScreen && this.#width > 0 && this.#height > 0,
-            pixels: () => this.#shot?.canvas ?? { width: this.#width, height: this.#height },
-            copy: (source) => this.#copy(source),
+            pixels: () => this.#shot?.size ?? { width: this.#width, height: this.#height, ratio: this.#ratio },
+            take: (source, size) => this.#take(source, size),
             ticked: () => this.listener.ticked(),
             failed: (message) => this.listener.failed(message),
         });
@@ -96,10 +98,12 @@ export class FigureView {
         if (this.#onScreen) this.#stage?.request();
     }
 
-    /** @param {HTMLCanvasElement} source */
-    #copy(source) {
-        if (!this.#stage) return;
-        copyPicture(this.#stage, this.id, source, this.#shot ?? { canvas: this.canvas, ratio: this.#ratio });
+    /**
+     * @param {Source} source
+     * @param {Size} size
+     */
+    #take(source, size) {
+        take(this.#shot?.canvas ?? this.canvas, source, size);
         if (!this.#shot) this.listener.painted();
     }
 
@@ -117,7 +121,7 @@ export class FigureView {
         const canvas = el('canvas');
         canvas.width = width ?? Math.max(1, Math.round(cssWidth * ratio));
         canvas.height = height ?? Math.max(1, Math.round(cssHeight * ratio));
-        this.#shot = { canvas, ratio };
+        this.#shot = { canvas, size: { width: canvas.width, height: canvas.height, ratio } };
         stage.app.resize(this.id, canvas.width / ratio, canvas.height / ratio, ratio);
         stage.paint(this.id);
         this.#shot = undefined;
@@ -126,28 +130,24 @@ export class FigureView {
         return canvas;
     }
 
-    /** What takes the picture in place of the canvas that is shown. @type {Target | undefined} */
+    /** What takes the picture in place of the canvas that is shown. @type {{ canvas: HTMLCanvasElement, size: Size } | undefined} */
     #shot;
 }
 
-/** @typedef {{ canvas: HTMLCanvasElement, ratio: number }} Target device pixels a CSS pixel */
-
 /**
- * @param {Stage} stage
- * @param {number} id of the view
- * @param {HTMLCanvasElement} source has the picture in its lower left corner
- * @param {Target} target
+ * @param {HTMLCanvasElement} canvas
+ * @param {Source} source
+ * @param {Size} size
  */
-function copyPicture(stage, id, source, { canvas, ratio }) {
-    const context = canvas.getContext('2d');
+function take(canvas, source, { width, height }) {
+    if (handsOver(source)) {
+        canvas.getContext('bitmaprenderer', { alpha: false })?.transferFromImageBitmap(source.transferToImageBitmap());
+        return;
+    }
+    const context = canvas.getContext('2d', { alpha: false });
     if (!context) return;
-    const { width, height } = canvas;
-    context.setTransform(1, 0, 0, 1, 0, 0);
     context.globalCompositeOperation = 'copy';
     context.drawImage(source, 0, source.height - height, width, height, 0, 0, width, height);
-    context.globalCompositeOperation = 'source-over';
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    drawLabels(context, JSON.parse(stage.app.labels(id) || '[]'));
 }
 
 /**

@@ -1,23 +1,28 @@
 // What all figures of a page share: one module, one WebGL 2 context, one application, one loop.
 //
-// Each dirty and visible view is painted into the lower left corner of one hidden canvas and copied
-// from there at once, so a page may hold more figures than a browser grants contexts. The loop runs
-// only while a visible view asks for another frame.
+// Each dirty and visible view is painted on one hidden canvas and its picture handed over at once, so
+// a page may hold more figures than a browser grants contexts. The loop runs only while a visible
+// view asks for another frame.
 
+import { LabelPainter } from './label-painter.mjs';
 import { loadPageModule } from './page-module.mjs';
+
+/** @typedef {HTMLCanvasElement | OffscreenCanvas} Source */
+/** @typedef {{ width: number, height: number, ratio: number }} Size in device pixels */
 
 /**
  * A figure as the stage sees it.
  * @typedef {object} View
  * @property {() => boolean} visible
- * @property {() => { width: number, height: number }} pixels size of its canvas in device pixels
- * @property {(source: HTMLCanvasElement) => void} copy takes the picture from the lower left corner
+ * @property {() => Size} pixels size of its canvas, and how many of them a CSS pixel has
+ * @property {(source: Source, size: Size) => void} take the picture of this size, from the source's lower left
  * @property {() => void} ticked after each look at the view, painted or not
  * @property {(message: string) => void} failed
  */
 
+/** @type {WebGLContextAttributes} */
 const contextAttributes = {
-    alpha: true,
+    alpha: false,      // every picture covers its canvas, and what need not be blended is shown faster
     antialias: false,  // the renderer smooths its lines itself
     depth: true,
     stencil: false,
@@ -31,7 +36,9 @@ export class Stage {
     #frame = 0;
     #lost = false;
     /** @type {WebGL2RenderingContext | null} */
-    #context = null;
+    #context;
+    /** @type {LabelPainter | undefined} */
+    #labels;
     /** Pictures painted so far. */
     painted = 0;
 
@@ -42,7 +49,9 @@ export class Stage {
     constructor(module, kw) {
         this.kw = kw;
         this.module = module;
-        this.canvas = document.createElement('canvas');
+        const { canvas, context } = makeCanvas();
+        this.canvas = canvas;
+        this.#context = context;
         this.app = new module.App(kw.session);
         this.unavailable = this.#startDrawing();
     }
@@ -78,20 +87,22 @@ export class Stage {
     paint(id) {
         const view = this.#views.get(id);
         if (!view || this.#lost || this.unavailable) return;
-        const { width, height } = view.pixels();
-        if (width === 0 || height === 0) return;
-        this.#grow(width, height);
+        const size = view.pixels();
+        if (size.width === 0 || size.height === 0) return;
+        this.#fit(size);
         this.app.render(id);
-        view.copy(this.canvas);
+        // It may be lost a while before the page is told, and then has no picture to hand over.
+        if (this.#context?.isContextLost()) return;
+        this.#labels?.paint(JSON.parse(this.app.labels(id) || '[]'), size, size.ratio);
+        view.take(this.canvas, size);
         this.painted += 1;
     }
 
     /** @returns {string} '' or why there will be no pictures */
     #startDrawing() {
-        const context = /** @type {WebGL2RenderingContext | null} */ (
-            this.canvas.getContext('webgl2', contextAttributes));
+        const context = this.#context;
         if (!context) return 'WebGL 2 is not available';
-        this.#context = context;
+        this.#labels = new LabelPainter(context);
         this.canvas.addEventListener('webglcontextlost', (event) => this.#onLost(event));
         this.canvas.addEventListener('webglcontextrestored', () => this.#onRestored());
         this.handle = this.module.GL.registerContext(context, { majorVersion: 2, ...contextAttributes });
@@ -114,20 +125,27 @@ export class Stage {
     }
 
     /**
-     * The hidden canvas holds the largest view; it grows by halves so that dragging a window's
-     * corner does not allocate at every step.
-     * @param {number} width
-     * @param {number} height
+     * A canvas whose picture is handed over has to have just its size; one that it is copied from
+     * holds the largest, and grows by quarters so that dragging a window's corner does not allocate
+     * at every step.
+     * @param {Size} size
      */
-    #grow(width, height) {
-        if (this.canvas.width < width) this.canvas.width = Math.ceil(width * 1.25);
-        if (this.canvas.height < height) this.canvas.height = Math.ceil(height * 1.25);
+    #fit({ width, height }) {
+        const { canvas } = this;
+        if (!handsOver(canvas)) {
+            if (canvas.width < width) canvas.width = Math.ceil(width * 1.25);
+            if (canvas.height < height) canvas.height = Math.ceil(height * 1.25);
+            return;
+        }
+        if (canvas.width !== width) canvas.width = width;
+        if (canvas.height !== height) canvas.height = height;
     }
 
     /** Without views the memory of the pictures goes back. */
     #rest() {
         if (this.#frame) cancelAnimationFrame(this.#frame);
         this.#frame = 0;
+        this.#labels?.rest();
         this.canvas.width = 1;
         this.canvas.height = 1;
     }
@@ -139,6 +157,7 @@ export class Stage {
         if (this.#frame) cancelAnimationFrame(this.#frame);
         this.#frame = 0;
         this.app.contextLost();
+        this.#labels?.forget();
     }
 
     #onRestored() {
@@ -152,6 +171,29 @@ export class Stage {
         }
         this.request();
     }
+}
+
+/**
+ * Handing pictures over costs nothing where copying them takes as long as drawing them.
+ * @param {Source} canvas
+ * @returns {canvas is OffscreenCanvas}
+ */
+export function handsOver(canvas) {
+    return 'transferToImageBitmap' in canvas;
+}
+
+/**
+ * Browsers that know canvases off the page do not all draw in three dimensions on them.
+ * @returns {{ canvas: Source, context: WebGL2RenderingContext | null }}
+ */
+function makeCanvas() {
+    if (typeof OffscreenCanvas === 'function' && typeof ImageBitmapRenderingContext === 'function') {
+        const canvas = new OffscreenCanvas(1, 1);
+        const context = canvas.getContext('webgl2', contextAttributes);
+        if (context) return { canvas, context };
+    }
+    const canvas = document.createElement('canvas');
+    return { canvas, context: canvas.getContext('webgl2', contextAttributes) };
 }
 
 /** @type {Promise<Stage> | undefined} */

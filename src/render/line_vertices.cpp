@@ -40,7 +40,7 @@ void LineVertices::emit(const Vec3& at, double arc, const LineStyle& style) {
     records_.push_back({static_cast<float>(at.x), static_cast<float>(at.y),
                         static_cast<float>(at.z), static_cast<float>(arc),
                         static_cast<float>(style.width), static_cast<float>(style.period),
-                        style.colour});
+                        style.colour, 0});
 }
 
 void LineVertices::begin(const Point& start, const Point* before, const LineStyle& style) {

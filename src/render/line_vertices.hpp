@@ -28,8 +28,9 @@ struct LineVertex {
     float width = 1;   ///< device pixels
     float period = 0;  ///< of the dashes in device pixels, 0 for a solid line
     ColourBytes colour{};
+    float unused = 0;  // two texels a record
 };
-static_assert(sizeof(LineVertex) == 28);
+static_assert(sizeof(LineVertex) == 32);
 
 /// Lengths in device pixels.
 struct LineStyle {

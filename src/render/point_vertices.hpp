@@ -4,6 +4,7 @@
 #include "drawing/colour_bytes.hpp"
 #include "render/projection.hpp"
 
+#include <array>
 #include <vector>
 
 namespace knotwork::render {
@@ -21,8 +22,9 @@ struct PointVertex {
     ColourBytes fill{};
     ColourBytes borderColour{};
     ColourBytes haloColour{};
+    std::array<float, 2> unused{};  // three texels a record
 };
-static_assert(sizeof(PointVertex) == 40);
+static_assert(sizeof(PointVertex) == 48);
 
 class PointVertices {
 public:

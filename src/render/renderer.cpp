@@ -3,40 +3,14 @@
 #include "render/shaders.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace knotwork::render {
 namespace {
 
 using drawing::toBytes;
-using gl::Attribute;
-using Type = gl::Attribute::Type;
-
-constexpr std::size_t lineStride = sizeof(LineVertex);
-
-// four records to an instance: before, start (with the style), end, after
-constexpr std::array lineAttributes{
-    Attribute{Type::floats, 4, 0},
-    Attribute{Type::floats, 4, lineStride},
-    Attribute{Type::floats, 2, lineStride + offsetof(LineVertex, width)},
-    Attribute{Type::colour, 4, lineStride + offsetof(LineVertex, colour)},
-    Attribute{Type::floats, 4, 2 * lineStride},
-    Attribute{Type::floats, 4, 3 * lineStride},
-};
-constexpr std::array pointAttributes{
-    Attribute{Type::floats, 3, 0},
-    Attribute{Type::floats, 4, offsetof(PointVertex, radius)},
-    Attribute{Type::colour, 4, offsetof(PointVertex, fill)},
-    Attribute{Type::colour, 4, offsetof(PointVertex, borderColour)},
-    Attribute{Type::colour, 4, offsetof(PointVertex, haloColour)},
-};
-constexpr std::array triangleAttributes{
-    Attribute{Type::floats, 3, 0},
-    Attribute{Type::colour, 4, offsetof(TriangleVertex, colour)},
-};
-
-const gl::Layout lineLayout{lineAttributes, lineStride, true, 4};
-const gl::Layout pointLayout{pointAttributes, sizeof(PointVertex), true, 1};
+const gl::Layout lineLayout{sizeof(LineVertex), 4, 6};
+const gl::Layout pointLayout{sizeof(PointVertex), 1, 6};
+const gl::Layout triangleLayout{sizeof(TriangleVertex), 1, 1};
 
 template <class Record>
 std::span<const std::byte> bytesOf(const std::vector<Record>& records) {
@@ -75,8 +49,7 @@ bool Renderer::start() {
     message_.clear();
     started_ = make(lines_, lineVertexShader, lineFragmentShader, lineLayout) &&
                make(points_, pointVertexShader, pointFragmentShader, pointLayout) &&
-               make(triangles_, triangleVertexShader, triangleFragmentShader,
-                    {triangleAttributes, sizeof(TriangleVertex), false, 1}) &&
+               make(triangles_, triangleVertexShader, triangleFragmentShader, triangleLayout) &&
                space_.start(device_, message_);
     return started_;
 }
@@ -149,7 +122,7 @@ void Renderer::flush() {
 }
 
 void Renderer::flushSpace() {
-    const SharedPrograms programs{lines_, points_, lineLayout, pointLayout};
+    const SharedPrograms programs{lines_, points_};
     const PaintCounts counts =
         space_.paint(device_, programs, *projection_, pixelRatio_, background_);
     stats_.drawCalls += counts.drawCalls;

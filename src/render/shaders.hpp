@@ -1,6 +1,7 @@
 // The programs of lines, points and flat triangles. Everywhere `view` holds the pane's width and
 // height and the position of its middle in the framebuffer; positions are pixels from that middle;
-// `pass` is a gl::Pass; colours leave premultiplied.
+// `pass` is a gl::Pass; colours leave premultiplied. Vertex shaders stand behind
+// gl::recordReading, whose functions they use.
 #pragma once
 
 #include <string_view>
@@ -8,15 +9,8 @@
 namespace knotwork::render {
 
 // A quad round each segment, wide enough for half a pixel of antialiasing beyond its edge.
-inline constexpr std::string_view lineVertexShader = R"(#version 300 es
-precision highp float;
-layout(location = 0) in vec4 before;
-layout(location = 1) in vec4 start;
-layout(location = 2) in vec2 style;
-layout(location = 3) in vec4 colour;
-layout(location = 4) in vec4 end;
-layout(location = 5) in vec4 after;
-uniform vec4 view;
+// Four records to a segment: before, start (with the style), end, after.
+inline constexpr std::string_view lineVertexShader = R"(uniform vec4 view;
 uniform vec4 pass;
 flat out vec4 ends;
 flat out vec4 neighbours;
@@ -27,19 +21,28 @@ flat out vec4 paint;
 float known(float arc) { return arc >= 0.0 || arc < -1.5 ? 1.0 : 0.0; }
 
 void main() {
+    int first = 2 * quad();
+    int corner = quadCorner();
+    vec4 before = floatsAt(first);
+    vec4 start = floatsAt(first + 2);
+    uvec4 looks = wordsAt(first + 3);
+    vec4 end = floatsAt(first + 4);
+    vec4 after = floatsAt(first + 6);
+    vec2 style = uintBitsToFloat(looks.xy);
+    vec4 colour = colourOf(looks.z);
     float radius = 0.5 * max(style.x, 1.0) + pass.y;
     vec2 along = end.xy - start.xy;
     float span = length(along);
     float back = pass.z + pass.w * abs(end.z - start.z) / max(span, 1e-3);
     vec2 forward = span > 0.0 ? along / span : vec2(1.0, 0.0);
     vec2 sideways = vec2(-forward.y, forward.x);
-    bool atEnd = (gl_VertexID & 1) == 1;
-    float side = (gl_VertexID & 2) == 2 ? 1.0 : -1.0;
+    bool atEnd = (corner & 1) == 1;
+    float side = (corner & 2) == 2 ? 1.0 : -1.0;
     float reach = radius + 1.0;
     vec2 tip = atEnd ? end.xy + reach * forward : start.xy - reach * forward;
-    vec2 corner = tip + side * reach * sideways;
+    vec2 place = tip + side * reach * sideways;
     bool drawn = start.w >= 0.0 && end.w >= 0.0;
-    gl_Position = drawn ? vec4(corner / (0.5 * view.xy), (atEnd ? end.z : start.z) + back, 1.0)
+    gl_Position = drawn ? vec4(place / (0.5 * view.xy), (atEnd ? end.z : start.z) + back, 1.0)
                         : vec4(2.0);
     ends = vec4(start.xy, end.xy);
     neighbours = vec4(before.xy, after.xy);
@@ -98,14 +101,7 @@ void main() {
 }
 )";
 
-inline constexpr std::string_view pointVertexShader = R"(#version 300 es
-precision highp float;
-layout(location = 0) in vec3 centre;
-layout(location = 1) in vec4 sizes;
-layout(location = 2) in vec4 fillColour;
-layout(location = 3) in vec4 borderColour;
-layout(location = 4) in vec4 haloColour;
-uniform vec4 view;
+inline constexpr std::string_view pointVertexShader = R"(uniform vec4 view;
 uniform vec4 pass;
 flat out vec2 middle;
 flat out vec4 looks;
@@ -116,14 +112,19 @@ flat out vec4 halo;
 vec4 premultiplied(vec4 c) { return vec4(c.rgb * c.a, c.a) * pass.x; }
 
 void main() {
-    float reach = sizes.x + sizes.y + sizes.z + 1.0;
-    vec2 direction = vec2((gl_VertexID & 1) == 1 ? 1.0 : -1.0, (gl_VertexID & 2) == 2 ? 1.0 : -1.0);
+    int first = 3 * quad();
+    int corner = quadCorner();
+    vec4 centre = floatsAt(first);  // and the radius
+    uvec4 rest = wordsAt(first + 1);
+    uvec4 rims = wordsAt(first + 2);
+    looks = vec4(centre.w, uintBitsToFloat(rest.xyz));
+    float reach = looks.x + looks.y + looks.z + 1.0;
+    vec2 direction = vec2((corner & 1) == 1 ? 1.0 : -1.0, (corner & 2) == 2 ? 1.0 : -1.0);
     gl_Position = vec4((centre.xy + reach * direction) / (0.5 * view.xy), centre.z, 1.0);
     middle = centre.xy;
-    looks = sizes;
-    fill = premultiplied(fillColour);
-    border = premultiplied(borderColour);
-    halo = premultiplied(haloColour);
+    fill = premultiplied(colourOf(rest.w));
+    border = premultiplied(colourOf(rims.x));
+    halo = premultiplied(colourOf(rims.y));
 }
 )";
 
@@ -159,15 +160,14 @@ void main() {
 }
 )";
 
-inline constexpr std::string_view triangleVertexShader = R"(#version 300 es
-precision highp float;
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec4 colour;
-uniform vec4 view;
+inline constexpr std::string_view triangleVertexShader = R"(uniform vec4 view;
 uniform vec4 pass;
 flat out vec4 paint;
 
 void main() {
+    uvec4 words = wordsAt(gl_VertexID);
+    vec3 position = uintBitsToFloat(words.xyz);
+    vec4 colour = colourOf(words.w);
     gl_Position = vec4(position.xy / (0.5 * view.xy), position.z, 1.0);
     paint = vec4(colour.rgb * colour.a, colour.a) * pass.x;
 }

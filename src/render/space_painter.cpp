@@ -82,21 +82,21 @@ void SpacePainter::drop() noexcept {
 
 /// Records are made when there is first something for them: most pages show nothing in space.
 void SpacePainter::send(Painting& painting) {
-    const auto send = [&](const gl::Pipeline& pipeline, const gl::Layout& layout,
-                          gl::Records& records, const auto& vertices) {
-        if (vertices.empty() && !records.buffer) return;
-        if (!records.buffer) records = painting.device.makeRecords(layout);
+    const auto send = [&](const gl::Pipeline& pipeline, gl::Records& records,
+                          const auto& vertices) {
+        if (vertices.empty() && !records.texture) return;
+        if (!records.texture) records = painting.device.makeRecords();
         if (vertices.empty() && records.count == 0) return;
         painting.device.send(pipeline, records, std::as_bytes(std::span(vertices.records())));
         painting.counts.vertices += vertices.records().size();
     };
     const SharedPrograms& programs = painting.programs;
     for (std::size_t i = 0; i < lineLayers; ++i) {
-        send(programs.lines, programs.lineLayout, lineRecords_[i], lineVertices_[i]);
+        send(programs.lines, lineRecords_[i], lineVertices_[i]);
     }
     for (std::size_t i = 0; i < pointLayers; ++i) {
         pointVertices_[i].sortFarthestFirst();
-        send(programs.points, programs.pointLayout, pointRecords_[i], pointVertices_[i]);
+        send(programs.points, pointRecords_[i], pointVertices_[i]);
     }
 }
 

@@ -32,12 +32,10 @@ enum class LineLayer { onSurface, net, curve, over };
 inline constexpr std::size_t lineLayers = 4;
 inline constexpr std::size_t pointLayers = 3;  ///< one a Behind
 
-/// The programs and layouts that flat panes have as well.
+/// The programs that flat panes have as well.
 struct SharedPrograms {
     const gl::Pipeline& lines;
     const gl::Pipeline& points;
-    gl::Layout lineLayout;
-    gl::Layout pointLayout;
 };
 
 struct PaintCounts {

@@ -45,7 +45,7 @@ SurfaceStore::Surface& SurfaceStore::slotFor(gl::Device& device, const drawing::
         surfaces_.push_back(std::make_unique<Surface>());
         slot = surfaces_.back().get();
         slot->buffers =
-            device.makeSurfaceBuffers({surfaceAttributes, sizeof(SurfaceVertex), false, 1});
+            device.makeSurfaceBuffers({surfaceAttributes, sizeof(SurfaceVertex)});
     }
     slot->identity.reset();
     return *slot;

@@ -56,9 +56,9 @@ function observeFrames() {
         movedIn ??= frame;
     }, true);
     globalThis.addEventListener('pointermove', () => { worked += performance.now() - began; });
-    const { drawImage } = CanvasRenderingContext2D.prototype;
-    CanvasRenderingContext2D.prototype.drawImage = function observed(...args) {
-        drawImage.apply(this, args);
+    const { transferFromImageBitmap } = ImageBitmapRenderingContext.prototype;
+    ImageBitmapRenderingContext.prototype.transferFromImageBitmap = function observed(...args) {
+        transferFromImageBitmap.apply(this, args);
         seen.firstPicture ||= performance.now();
         painted = true;
         if (movedIn !== undefined) seen.late.push(frame - movedIn);

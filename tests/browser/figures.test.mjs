@@ -63,6 +63,21 @@ describe('figures on one page', { timeout: 300_000 }, () => {
         await shown.context.close();
     });
 
+    it('are the same where a browser cannot hand pictures over', async () => {
+        const shown = await openedTwo();
+        const plain = await openedTwo({ script: 'delete globalThis.OffscreenCanvas;' });
+        for (const selector of ['#a', '#b']) {
+            // as pixels: files of canvases of different kinds differ
+            const [copied, handed] = [await pictureOf(plain.page, selector), await pictureOf(shown.page, selector)]
+                .map((picture) => PNG.sync.read(picture).data);
+            assert.ok(copied.equals(handed), selector);
+        }
+        assert.ok(await plain.page.evaluate(() => globalThis.observed.contexts[0].canvas instanceof HTMLCanvasElement));
+        await assertSilent(plain);
+        await plain.context.close();
+        await shown.context.close();
+    });
+
     it('draw the same pictures again after a lost context', async () => {
         const shown = await openedTwo();
         const { page } = shown;
@@ -82,7 +97,7 @@ describe('figures on one page', { timeout: 300_000 }, () => {
         await settle(page);
         const copies = await page.evaluate(() => {
             for (const figure of document.querySelectorAll('knotwork-figure')) {
-                figure.shadowRoot.querySelector('canvas').getContext('2d').clearRect(0, 0, 9999, 9999);
+                figure.shadowRoot.querySelector('canvas').getContext('bitmaprenderer').transferFromImageBitmap(null);
                 figure.setAttribute('theme', 'dark');
                 figure.setAttribute('theme', 'light');
             }

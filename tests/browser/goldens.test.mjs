@@ -30,13 +30,9 @@ async function pictureOfScene(scene, look) {
         css: `body { margin: 0 } knotwork-figure { width: ${width}px; --knotwork-height: ${height}px }`,
         colorScheme: look === 'dark' ? 'dark' : 'light',
         viewport: { width: width + 18, height: height + 20 },
+        script: 'globalThis.withoutLabels = true;',
     });
     await figureReady(page);
-    await page.evaluate(() => {
-        globalThis.withoutLabels = true;
-        document.querySelector('knotwork-figure').setAttribute('theme', 'auto');  // and so draws again
-    });
-    await page.waitForTimeout(100);
     const picture = await pictureOf(page);
     await context.close();
     return picture;

@@ -34,8 +34,8 @@ async function loseAndRestore(page, times = 1) {
 
 /** Runs before the page's own scripts: the context is lost again before anyone hears that it is back. */
 function loseWhileRestoring() {
-    const { getContext } = HTMLCanvasElement.prototype;
-    HTMLCanvasElement.prototype.getContext = function watched(kind, ...rest) {
+    const { getContext } = OffscreenCanvas.prototype;
+    OffscreenCanvas.prototype.getContext = function watched(kind, ...rest) {
         if (kind === 'webgl2') {
             this.addEventListener('webglcontextrestored', () => {
                 if (globalThis.losses > 0) globalThis.extension.loseContext();
@@ -50,7 +50,7 @@ function loseWhileRestoring() {
 async function drawnAnew(page) {
     await page.evaluate(() => {
         const figure = document.querySelector('knotwork-figure');
-        figure.shadowRoot.querySelector('canvas').getContext('2d').clearRect(0, 0, 9999, 9999);
+        figure.shadowRoot.querySelector('canvas').getContext('bitmaprenderer').transferFromImageBitmap(null);
         for (const theme of ['dark', 'light']) figure.setAttribute('theme', theme);
     });
     await settle(page);

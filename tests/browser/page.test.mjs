@@ -220,10 +220,12 @@ describe('the page', { timeout: 300_000 }, () => {
     it('says so where there is no WebGL, and the numbers still work', async () => {
         const { page, context, said } = await opened('#bspline-forms', {
             script: () => {
-                const { getContext } = HTMLCanvasElement.prototype;
-                HTMLCanvasElement.prototype.getContext = function refused(kind, ...rest) {
-                    return kind === '2d' ? getContext.call(this, kind, ...rest) : null;
-                };
+                for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
+                    const { getContext } = prototype;
+                    prototype.getContext = function refused(kind, ...rest) {
+                        return kind === '2d' ? getContext.call(this, kind, ...rest) : null;
+                    };
+                }
             },
         });
         assert.match(await page.locator('knotwork-figure .fallback').innerText(), /WebGL/);

@@ -55,20 +55,30 @@ function observe() {
         counts.frames += 1;
         return requestAnimationFrame(callback);
     };
-    const { getContext } = HTMLCanvasElement.prototype;
-    HTMLCanvasElement.prototype.getContext = function observed(kind, ...rest) {
-        const context = getContext.call(this, kind, ...rest);
-        if (kind !== '2d') counts.contexts.push(context);
-        return context;
+    for (const { prototype } of [HTMLCanvasElement, globalThis.OffscreenCanvas].filter(Boolean)) {
+        const { getContext } = prototype;
+        prototype.getContext = function observed(kind, ...rest) {
+            const context = getContext.call(this, kind, ...rest);
+            if (kind === 'webgl2' && !counts.contexts.includes(context)) counts.contexts.push(context);
+            return context;
+        };
+    }
+    const counted = (prototype, name) => {
+        const original = prototype[name];
+        prototype[name] = function observed(...args) {
+            counts.copies += 1;
+            return original.apply(this, args);
+        };
     };
-    const { drawImage, fillText } = CanvasRenderingContext2D.prototype;
-    CanvasRenderingContext2D.prototype.drawImage = function observed(...args) {
-        counts.copies += 1;
-        return drawImage.apply(this, args);
-    };
+    counted(CanvasRenderingContext2D.prototype, 'drawImage');
+    counted(ImageBitmapRenderingContext.prototype, 'transferFromImageBitmap');
+    const { fillText, strokeText } = CanvasRenderingContext2D.prototype;
     CanvasRenderingContext2D.prototype.fillText = function observed(...args) {
         if (!counts.texts.includes(args[0])) counts.texts.push(args[0]);
         if (!globalThis.withoutLabels) fillText.apply(this, args);
+    };
+    CanvasRenderingContext2D.prototype.strokeText = function observed(...args) {
+        if (!globalThis.withoutLabels) strokeText.apply(this, args);
     };
 }
 

@@ -1,8 +1,11 @@
 #include "render/gl/device.hpp"
 
+#include "render/gl/record_shader.hpp"
+
 #include <GLES3/gl3.h>
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 namespace knotwork::render::gl {
@@ -14,10 +17,12 @@ constexpr int samples = 4;
 /// A shader object for the time between compiling and linking.
 class Shader {
 public:
-    Shader(GLenum stage, std::string_view source) : name_(glCreateShader(stage)) {
-        const char* text = source.data();
-        const auto length = static_cast<GLint>(source.size());
-        glShaderSource(name_, 1, &text, &length);
+    Shader(GLenum stage, std::string_view prelude, std::string_view source)
+        : name_(glCreateShader(stage)) {
+        const std::array texts{prelude.data(), source.data()};
+        const std::array lengths{static_cast<GLint>(prelude.size()),
+                                 static_cast<GLint>(source.size())};
+        glShaderSource(name_, 2, texts.data(), lengths.data());
         glCompileShader(name_);
     }
     Shader(const Shader&) = delete;
@@ -56,11 +61,11 @@ Error refusal(std::string_view stage, const std::string& log) {
                       (log.empty() ? "no reason was given (is the context lost?)" : log));
 }
 
-Result<Handle<ProgramTraits>> makeProgram(std::string_view vertexSource,
+Result<Handle<ProgramTraits>> makeProgram(std::string_view prelude, std::string_view vertexSource,
                                           std::string_view fragmentSource, Counts& counts) {
-    const Shader vertex(GL_VERTEX_SHADER, vertexSource);
+    const Shader vertex(GL_VERTEX_SHADER, prelude, vertexSource);
     if (!vertex.compiled()) return refusal("compile a vertex shader", vertex.log());
-    const Shader fragment(GL_FRAGMENT_SHADER, fragmentSource);
+    const Shader fragment(GL_FRAGMENT_SHADER, "", fragmentSource);
     if (!fragment.compiled()) return refusal("compile a fragment shader", fragment.log());
     Handle<ProgramTraits> program(glCreateProgram(), counts);
     glAttachShader(program.name(), vertex.name());
@@ -85,7 +90,7 @@ GLenum typeOf(const Attribute& attribute) {
     }
 }
 
-void describe(const Layout& layout) {
+void describe(const SurfaceLayout& layout) {
     for (std::size_t i = 0; i < layout.attributes.size(); ++i) {
         const Attribute& attribute = layout.attributes[i];
         const bool floats = attribute.type == Attribute::Type::floats;
@@ -94,7 +99,6 @@ void describe(const Layout& layout) {
         glVertexAttribPointer(location, attribute.components, typeOf(attribute),
                               floats ? GL_FALSE : GL_TRUE, static_cast<GLsizei>(layout.stride),
                               reinterpret_cast<const void*>(attribute.offset));
-        if (layout.instanced) glVertexAttribDivisor(location, 1);
     }
 }
 
@@ -116,7 +120,8 @@ Target makeTarget(int width, int height, Counts& counts) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
     made.samples = std::min<int>(samples, most);
-    made.colour = makeStorage(GL_RGBA8, made, counts);
+    // The canvas has no opacity, and only what has the same format can be copied there.
+    made.colour = makeStorage(GL_RGB8, made, counts);
     made.depth = makeStorage(GL_DEPTH_COMPONENT24, made, counts);
     GLuint name = 0;
     glGenFramebuffers(1, &name);
@@ -137,36 +142,32 @@ Target makeTarget(int width, int height, Counts& counts) {
 void ProgramTraits::destroy(unsigned name) noexcept { glDeleteProgram(name); }
 void BufferTraits::destroy(unsigned name) noexcept { glDeleteBuffers(1, &name); }
 void VertexArrayTraits::destroy(unsigned name) noexcept { glDeleteVertexArrays(1, &name); }
+void TextureTraits::destroy(unsigned name) noexcept { glDeleteTextures(1, &name); }
 void FramebufferTraits::destroy(unsigned name) noexcept { glDeleteFramebuffers(1, &name); }
 void RenderbufferTraits::destroy(unsigned name) noexcept { glDeleteRenderbuffers(1, &name); }
 
 Result<Pipeline> Device::makePipeline(std::string_view vertexShader,
                                       std::string_view fragmentShader, const Layout& layout) {
-    auto program = makeProgram(vertexShader, fragmentShader, counts_);
+    auto program = makeProgram(recordReading, vertexShader, fragmentShader, counts_);
     if (!program) return program.error();
     Pipeline made;
     made.program = std::move(program).value();
-    made.records = makeRecords(layout);
+    made.records = makeRecords();
+    made.layout = layout;
     made.viewUniform = glGetUniformLocation(made.program.name(), "view");
     made.passUniform = glGetUniformLocation(made.program.name(), "pass");
-    made.stride = layout.stride;
-    made.window = layout.window;
-    made.instanced = layout.instanced;
     return made;
 }
 
-Records Device::makeRecords(const Layout& layout) {
-    GLuint buffer = 0;
-    GLuint vertexArray = 0;
-    glGenBuffers(1, &buffer);
-    glGenVertexArrays(1, &vertexArray);
+Records Device::makeRecords() {
+    GLuint name = 0;
+    glGenTextures(1, &name);
     Records made;
-    made.buffer = Handle<BufferTraits>(buffer, counts_);
-    made.vertexArray = Handle<VertexArrayTraits>(vertexArray, counts_);
-    glBindVertexArray(vertexArray);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    describe(layout);
-    release();
+    made.texture = Handle<TextureTraits>(name, counts_);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindTexture(GL_TEXTURE_2D, 0);
     return made;
 }
 
@@ -194,35 +195,54 @@ void Device::clear(const scene::Colour& colour) noexcept {
     glClear(GL_COLOR_BUFFER_BIT);
 }
 
-// The whole buffer is specified anew for each draw: the driver then gives fresh memory to what it
-// still reads from, and never waits. Its size follows the data, so it cannot creep upwards.
+// The texture grows and shrinks by powers of two: it neither creeps upwards nor is made anew for
+// every frame of an animation.
 void Device::send(const Pipeline& pipeline, Records& records,
                   std::span<const std::byte> bytes) noexcept {
-    records.count = bytes.size() / pipeline.stride;
-    records.bytes = bytes.size();
-    glBindBuffer(GL_ARRAY_BUFFER, records.buffer.name());
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
-                 GL_STREAM_DRAW);
+    records.count = bytes.size() / pipeline.layout.stride;
+    if (bytes.empty()) return;
+    const std::size_t texels = bytes.size() / texelBytes;
+    const std::size_t whole = texels / texelsPerRow;
+    const std::size_t rest = texels % texelsPerRow;
+    const std::size_t rows = std::bit_ceil(whole + (rest > 0 ? 1 : 0));
+    glBindTexture(GL_TEXTURE_2D, records.texture.name());
+    if (rows > records.rows || 4 * rows <= records.rows) {
+        records.rows = rows;
+        records.bytes = rows * texelsPerRow * texelBytes;
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32UI, static_cast<GLsizei>(texelsPerRow),
+                     static_cast<GLsizei>(rows), 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, nullptr);
+    }
+    const auto fill = [&](std::size_t row, std::size_t width, std::size_t height) {
+        if (width == 0 || height == 0) return;
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(row), static_cast<GLsizei>(width),
+                        static_cast<GLsizei>(height), GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                        bytes.data() + row * texelsPerRow * texelBytes);
+    };
+    fill(0, texelsPerRow, whole);
+    fill(whole, rest, 1);
+    glBindTexture(GL_TEXTURE_2D, 0);
 }
 
 void Device::draw(const Pipeline& pipeline, const Records& records, const Rect& pane,
                   const Pass& pass) noexcept {
-    if (records.count < pipeline.window) return;
+    const Layout& layout = pipeline.layout;
+    if (records.count < layout.window) return;
     glUseProgram(pipeline.program.name());
     glUniform4f(pipeline.viewUniform, static_cast<float>(pane.width),
                 static_cast<float>(pane.height),
                 static_cast<float>(pane.x) + 0.5F * static_cast<float>(pane.width),
                 static_cast<float>(pane.y) + 0.5F * static_cast<float>(pane.height));
     glUniform4f(pipeline.passUniform, pass.strength, pass.grow, pass.push, pass.steep);
-    glBindVertexArray(records.vertexArray.name());
-    const auto instances = static_cast<GLsizei>(records.count - pipeline.window + 1);
-    if (pipeline.instanced) glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, instances);
-    else glDrawArrays(GL_TRIANGLES, 0, instances);
+    glBindVertexArray(0);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, records.texture.name());
+    const auto shapes = static_cast<GLsizei>(records.count - layout.window + 1);
+    glDrawArrays(GL_TRIANGLES, 0, layout.corners * shapes);
 }
 
 Result<SurfacePipeline> Device::makeSurfacePipeline(std::string_view vertexShader,
                                                     std::string_view fragmentShader) {
-    auto program = makeProgram(vertexShader, fragmentShader, counts_);
+    auto program = makeProgram("", vertexShader, fragmentShader, counts_);
     if (!program) return program.error();
     SurfacePipeline made;
     made.program = std::move(program).value();
@@ -232,7 +252,7 @@ Result<SurfacePipeline> Device::makeSurfacePipeline(std::string_view vertexShade
     return made;
 }
 
-SurfaceBuffers Device::makeSurfaceBuffers(const Layout& layout) {
+SurfaceBuffers Device::makeSurfaceBuffers(const SurfaceLayout& layout) {
     std::array<GLuint, 2> buffers{};
     GLuint vertexArray = 0;
     glGenBuffers(2, buffers.data());
@@ -323,6 +343,7 @@ void Device::setDepth(Depth depth) noexcept {
 void Device::release() noexcept {
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindTexture(GL_TEXTURE_2D, 0);
     glUseProgram(0);
 }
 

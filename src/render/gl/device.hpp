@@ -22,10 +22,11 @@ struct Counts {
     int programs = 0;
     int buffers = 0;
     int vertexArrays = 0;
+    int textures = 0;
     int framebuffers = 0;
     int renderbuffers = 0;
     [[nodiscard]] constexpr int total() const noexcept {
-        return programs + buffers + vertexArrays + framebuffers + renderbuffers;
+        return programs + buffers + vertexArrays + textures + framebuffers + renderbuffers;
     }
     friend constexpr bool operator==(const Counts&, const Counts&) = default;
 };
@@ -75,7 +76,10 @@ struct VertexArrayTraits {
     static void destroy(unsigned name) noexcept;
     static int& count(Counts& counts) noexcept { return counts.vertexArrays; }
 };
-
+struct TextureTraits {
+    static void destroy(unsigned name) noexcept;
+    static int& count(Counts& counts) noexcept { return counts.textures; }
+};
 struct FramebufferTraits {
     static void destroy(unsigned name) noexcept;
     static int& count(Counts& counts) noexcept { return counts.framebuffers; }
@@ -85,34 +89,26 @@ struct RenderbufferTraits {
     static int& count(Counts& counts) noexcept { return counts.renderbuffers; }
 };
 
-/// One attribute of a vertex, at `location` = its place in the list of a layout.
-struct Attribute {
-    /// colour: four bytes read as [0, 1]; direction: 16 bits a component read as [-1, 1]
-    enum class Type { floats, colour, direction };
-    Type type = Type::floats;
-    int components = 1;
-    std::size_t offset = 0;  ///< bytes from the start of the record
-};
-
-/// What the records of a buffer look like and how they are drawn.
+/// What the records of a list look like and how they are drawn.
 struct Layout {
-    std::span<const Attribute> attributes;
-    std::size_t stride = 0;   ///< bytes from one record to the next
-    bool instanced = false;   ///< one quad (strip of four vertices) per record, not one vertex
-    std::size_t window = 1;   ///< records that an instance reads, from its own on
+    std::size_t stride = 16;  ///< bytes from one record to the next, a multiple of 16
+    std::size_t window = 1;   ///< records that a shape reads, from its own on
+    int corners = 6;          ///< vertices of a shape: 6 for a quad, 1 for a third of a triangle
 };
 
-/// A buffer of records that is filled anew for each draw.
+/// A list of records that is filled anew for each draw.
+///
+/// It is a texture from which vertex shaders read: attributes of instances would do, but drivers are
+/// slow with thousands of instances of four vertices, in software by more than ten times.
 struct Records {
-    Handle<BufferTraits> buffer;
-    Handle<VertexArrayTraits> vertexArray;
-    std::size_t bytes = 0;  ///< in the buffer
-    std::size_t count = 0;  ///< records in the buffer
+    Handle<TextureTraits> texture;
+    std::size_t bytes = 0;  ///< of the texture
+    std::size_t count = 0;  ///< records in it
+    std::size_t rows = 0;
 
     void forget() noexcept {
-        buffer.forget();
-        vertexArray.forget();
-        bytes = count = 0;
+        texture.forget();
+        bytes = count = rows = 0;
     }
 };
 
@@ -120,11 +116,9 @@ struct Records {
 struct Pipeline {
     Handle<ProgramTraits> program;
     Records records;
+    Layout layout;
     int viewUniform = -1;
     int passUniform = -1;
-    std::size_t stride = 0;
-    std::size_t window = 1;
-    bool instanced = false;
 
     void forget() noexcept {
         program.forget();
@@ -138,6 +132,20 @@ struct Pass {
     float grow = 0;      ///< of lines: pixels that are added to either side
     float push = 0;      ///< of lines: depth by which they are moved back
     float steep = 0;     ///< and how many pixels of their own slope
+};
+
+/// One attribute of a vertex of a surface, at `location` = its place in the list of a layout.
+struct Attribute {
+    /// colour: four bytes read as [0, 1]; direction: 16 bits a component read as [-1, 1]
+    enum class Type { floats, colour, direction };
+    Type type = Type::floats;
+    int components = 1;
+    std::size_t offset = 0;  ///< bytes from the start of the vertex
+};
+
+struct SurfaceLayout {
+    std::span<const Attribute> attributes;
+    std::size_t stride = 0;  ///< bytes from one vertex to the next
 };
 
 /// The program of lit surfaces, which draws from buffers that are not its own.
@@ -212,7 +220,8 @@ public:
     Device(const Device&) = delete;
     Device& operator=(const Device&) = delete;
 
-    /// NOT_SUPPORTED with the driver's log when the program does not compile or link.
+    /// NOT_SUPPORTED with the driver's log when the program does not compile or link. The vertex
+    /// shader stands behind `recordReading` (record_shader.hpp).
     [[nodiscard]] Result<Pipeline> makePipeline(std::string_view vertexShader,
                                                 std::string_view fragmentShader,
                                                 const Layout& layout);
@@ -221,8 +230,8 @@ public:
     void prepare() noexcept;
     void setArea(const Rect& area) noexcept;  ///< viewport and scissor
     void clear(const scene::Colour& colour) noexcept;
-    /// Records of their own for a pipeline of this layout.
-    [[nodiscard]] Records makeRecords(const Layout& layout);
+    /// Records of their own for a pipeline.
+    [[nodiscard]] Records makeRecords();
     void send(const Pipeline& pipeline, Records& records,
               std::span<const std::byte> bytes) noexcept;
     /// Draws what was sent. The uniform `view` gets the pane's width and height and the position of
@@ -232,7 +241,7 @@ public:
 
     [[nodiscard]] Result<SurfacePipeline> makeSurfacePipeline(std::string_view vertexShader,
                                                               std::string_view fragmentShader);
-    [[nodiscard]] SurfaceBuffers makeSurfaceBuffers(const Layout& layout);
+    [[nodiscard]] SurfaceBuffers makeSurfaceBuffers(const SurfaceLayout& layout);
     void sendVertices(SurfaceBuffers& buffers, std::span<const std::byte> records) noexcept;
     void sendTriangles(SurfaceBuffers& buffers, std::span<const std::uint32_t> indices) noexcept;
     /// The corners from `first` on, `count` of them.
