@@ -13,10 +13,7 @@ void drawMesh(Sketch& sketch, const Mesh& mesh) {
     std::vector<double> positions;
     positions.reserve(3 * mesh.points().size());
     for (const Vec3& p : mesh.points()) positions.insert(positions.end(), {p.x, p.y, p.z});
-    std::vector<double> normals(positions.size());
-    vertexNormals(mesh, normals);
-    completeNormals(normals);
-    drawTriangles(sketch, std::move(positions), std::move(normals), triangleIndices(mesh));
+    drawTriangles(sketch, std::move(positions), shadingNormals(mesh), triangleIndices(mesh));
 }
 
 void drawEdges(Sketch& sketch, const Mesh& mesh, Role role, float width) {
