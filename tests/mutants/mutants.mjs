@@ -215,4 +215,25 @@ export const mutants = [
         replace: 'sideOf((1 - at.v) * du + at.u * dv, -du * dv)',
         test: 'BlendingTriangle.KnotsOfPatchesAreSeenFromTheSideThatAPlaceIsApproachedFrom',
     },
+    {
+        name: 'a piece that begins and ends on the line is looked at no further',
+        file: 'line_crossings.cpp',
+        find: 'if (changes == 0) return first != 0 || last != 0;',
+        replace: 'if (changes == 0) return true;',
+        test: 'LineCrossings.ABumpBetweenTwoKnotsOnTheLineIsCrossedTwice',
+    },
+    {
+        name: 'no end of a piece: one change of sign is a crossing whatever the ends are',
+        file: 'line_crossings.cpp',
+        find: 'return changes == 1 && first != 0 && last != 0;',
+        replace: 'return changes >= 1;',
+        test: 'LineCrossings.AreThoseOfACubicWithThreeRoots',
+    },
+    {
+        name: 'a closed curve ends: a crossing at its seam is missed',
+        file: 'line_crossings.cpp',
+        find: 'if (seam) joinSeam(runs, domain(curve));',
+        replace: '',
+        test: 'LineCrossings.AClosedCurveIsCrossedAnEvenNumberOfTimesAlsoAtItsSeam',
+    },
 ];
