@@ -1,5 +1,7 @@
 #include "app/app_parts.hpp"
 
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace knotwork::app {
@@ -157,6 +159,17 @@ double App::period(int id) const {
 
 void App::tick(int id, double seconds) {
     if (View* view = parts_->view(id)) view->tick(seconds);
+}
+
+std::string App::panes(int id) {
+    View* view = parts_->view(id);
+    return view != nullptr ? view->panes() : "null";
+}
+
+bool App::moveSeam(int id, const std::string& name, double share) {
+    View* view = parts_->view(id);
+    if (view == nullptr) return false;
+    return view->moveSeam(name, std::isnan(share) ? std::nullopt : std::optional(share));
 }
 
 }  // namespace knotwork::app

@@ -86,6 +86,11 @@ public:
     /// A click in place of a drag of what is selected. `how` is move: to x, y; turn: until its own
     /// axis points there; scale: until the box of its tool stands there.
     bool place(int id, double x, double y, const std::string& how);
+    /// { shown: names of panes, seams: [{ name, upright, box: [x, y, width, height], share, least,
+    /// most, length }] } or null. `share` of the `length` that a seam parts is to its left or above.
+    std::string panes(int id);
+    /// Moves a seam; NaN puts it where it stands by itself.
+    bool moveSeam(int id, const std::string& name, double share);
     /// { views, glObjects, drawCalls, vertices, frames }.
     std::string stats() const;
 

@@ -141,7 +141,8 @@ std::vector<Json> Drag::commands(const Pixel& pointer, const Sight& sight, int m
     if (part_) return {poseByTool(pointer, sight, modifiers)};
     const Pixel held{pointer.x - grabbed_.x, pointer.y - grabbed_.y};
     switch (target_.kind) {
-        case TargetKind::point: return {movePoint(held, sight, modifiers)};
+        case TargetKind::point:
+        case TargetKind::line: return {movePoint(held, sight, modifiers)};
         case TargetKind::knot: return moveKnot(held, sight);
         case TargetKind::pose: return {poseLocal(held, sight, modifiers)};
     }

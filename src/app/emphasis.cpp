@@ -1,6 +1,7 @@
 #include "app/emphasis.hpp"
 
 #include "app/support.hpp"
+#include "geometry/differential.hpp"
 #include "ui/theme.hpp"
 
 #include <algorithm>
@@ -13,11 +14,16 @@ namespace {
 constexpr double hoverStrength = 0.6;
 constexpr std::size_t stretchPoints = 129;
 
+/// Whether what is targeted has a basis function of its own.
+bool rules(const Target& target) noexcept {
+    return target.kind == TargetKind::point || target.kind == TargetKind::pose;
+}
+
 /// The element that basis function `index` of this shape belongs to stands out.
 bool isPointedAt(const Shape& shape, const Emphasis& emphasis) noexcept {
     if (shape.object == emphasis.basisObject && shape.index == emphasis.basisIndex) return true;
     const auto belongs = [&](const std::optional<Target>& target) {
-        return target && target->kind != TargetKind::knot && target->object == shape.object &&
+        return target && rules(*target) && target->object == shape.object &&
                static_cast<int>(target->index) == shape.index;
     };
     return emphasis.hovered ? belongs(emphasis.hovered) : belongs(emphasis.selected);
@@ -25,7 +31,7 @@ bool isPointedAt(const Shape& shape, const Emphasis& emphasis) noexcept {
 
 bool anyElement(const Emphasis& emphasis, int object) noexcept {
     const auto of = [object](const std::optional<Target>& target) {
-        return target && target->kind != TargetKind::knot && target->object == object;
+        return target && rules(*target) && target->object == object;
     };
     return emphasis.basisObject == object || of(emphasis.hovered) || of(emphasis.selected);
 }
@@ -40,7 +46,8 @@ void markElements(Painted& result, const Emphasis& emphasis) {
     if (emphasis.hovered && emphasis.hovered->list == shape.path) {
         result.marks.push_back({emphasis.hovered->index, hoverStrength});
     }
-    if (kind != TargetKind::knot && shape.object == emphasis.basisObject) {
+    const bool ofBasis = kind == TargetKind::point || kind == TargetKind::pose;
+    if (ofBasis && shape.object == emphasis.basisObject) {
         result.marks.push_back({static_cast<std::size_t>(emphasis.basisIndex), hoverStrength});
     }
 }
@@ -58,7 +65,7 @@ std::optional<Ruler> ruler(const Emphasis& emphasis) noexcept {
         return Ruler{emphasis.basisObject, static_cast<std::size_t>(emphasis.basisIndex)};
     }
     const auto& target = emphasis.hovered ? emphasis.hovered : emphasis.selected;
-    if (!target) return std::nullopt;
+    if (!target || target->kind == TargetKind::line) return std::nullopt;
     return Ruler{target->object, target->index, rowOf(target->list),
                  target->kind == TargetKind::knot};
 }
@@ -100,33 +107,38 @@ void addParameterLine(PaneFigure& pane, double t, bool named, const ui::Theme& c
                                 11, true, colours.accent, true});
 }
 
-/// A parameter to be shown, and whether it is one of the curve (else of the B-function).
+/// A parameter to be shown, and of which object it is.
 struct ShownParameter {
     double t = 0;
-    bool ofCurve = true;
+    bool ofCurve = true;  ///< else of the B-function
+    int object = -1;
 };
 
 /// The one that is pointed at, or that of the knot that is pointed at or selected.
-std::optional<ShownParameter> shownParameter(const Emphasis& emphasis) noexcept {
+std::optional<ShownParameter> shownParameter(const Figure& figure,
+                                             const Emphasis& emphasis) noexcept {
     if (emphasis.parameter) {
-        return ShownParameter{*emphasis.parameter, emphasis.parameterPane != Pane::bFunction};
+        const PaneFigure* pane = figure.find(emphasis.parameterPane);
+        return ShownParameter{*emphasis.parameter, emphasis.parameterPane != Pane::bFunction,
+                              pane != nullptr ? pane->plot.object : -1};
     }
     for (const auto* target : {&emphasis.hovered, &emphasis.selected}) {
         if (*target && (*target)->kind == TargetKind::knot) {
-            return ShownParameter{(*target)->at.x, true};
+            return ShownParameter{(*target)->at.x, true, (*target)->object};
         }
     }
     return std::nullopt;
 }
 
 void addParameterLines(Figure& figure, const FigureRequest& request) {
-    const auto shown = shownParameter(request.emphasis);
+    const auto shown = shownParameter(figure, request.emphasis);
     if (!shown) return;
     bool named = false;
     for (PaneFigure& pane : figure.panes) {
         const Pane kind = pane.plot.pane;
         if (kind == Pane::curve || kind == Pane::hodograph) continue;
-        if ((kind == Pane::bFunction) == shown->ofCurve) continue;
+        const bool other = (kind == Pane::bFunction) == shown->ofCurve;
+        if (other || pane.plot.object != shown->object) continue;
         addParameterLine(pane, shown->t, !named, coloursOf(request));
         named = true;
     }
@@ -180,19 +192,32 @@ void addDerivativeDot(Figure& figure, const FigureRequest& request, const scene:
     }
 }
 
+/// And on the graph of its curvature, or at the edge where that goes beyond it.
+void addCurvatureDot(Figure& figure, const FigureRequest& request, const scene::Placed& placed,
+                     int object, double t) {
+    const Curve& curve = *placed.body.curve();
+    const Side side = t < domain(curve).end ? Side::right : Side::left;
+    for (PaneFigure& pane : figure.panes) {
+        const ui::Plot& plot = pane.plot;
+        if (plot.pane != Pane::curvature || plot.object != object) continue;
+        const double value = std::clamp(frameAt(curve, t, side).curvature,
+                                        plot.map.unitY(plot.area.bottom()),
+                                        plot.map.unitY(plot.area.y));
+        pane.above.push_back(dotAt({t, value, 0}, coloursOf(request).accent));
+    }
+}
+
 void addDot(Figure& figure, const FigureRequest& request, const std::vector<scene::Placed>& all,
-            double at) {
-    const PaneFigure* plot = figure.find(Pane::knots);
-    if (plot == nullptr) plot = figure.find(Pane::basis);
-    if (plot == nullptr) return;
-    const scene::Placed* placed = placedOf(all, *request.state, plot->plot.object);
+            const ShownParameter& shown) {
+    const scene::Placed* placed = placedOf(all, *request.state, shown.object);
     const Curve* curve = placed != nullptr ? placed->body.curve() : nullptr;
     if (curve == nullptr) return;
-    const auto t = parameterInDomain(*curve, at);
+    const auto t = parameterInDomain(*curve, shown.t);
     if (!t) return;
     figure.panes.front().above.push_back(dotAt(
         placed->placement.point(pointAt(*curve, *t)), coloursOf(request).accent));
-    addDerivativeDot(figure, request, *placed, plot->plot.object, *t);
+    addDerivativeDot(figure, request, *placed, shown.object, *t);
+    addCurvatureDot(figure, request, *placed, shown.object, *t);
 }
 
 }  // namespace
@@ -214,12 +239,12 @@ void addEmphasis(Figure& figure, const FigureRequest& request) {
     addParameterLines(figure, request);
     if (figure.panes.empty() || figure.panes.front().plot.pane != Pane::curve) return;
     const auto ruling = ruler(request.emphasis);
-    const auto shown = shownParameter(request.emphasis);
+    const auto shown = shownParameter(figure, request.emphasis);
     const bool dotted = shown && shown->ofCurve;
     if (!ruling && !dotted) return;
     const auto placed = scene::place(*request.state, request.moment);
     if (ruling) addRuled(figure.panes.front(), request, placed, *ruling);
-    if (dotted) addDot(figure, request, placed, shown->t);
+    if (dotted) addDot(figure, request, placed, *shown);
 }
 
 }  // namespace knotwork::app

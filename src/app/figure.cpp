@@ -1,8 +1,11 @@
 #include "app/figure.hpp"
 
 #include "app/emphasis.hpp"
+#include "drawing/letters.hpp"
+#include "drawing/plots.hpp"
 #include "ui/basis_plot.hpp"
 #include "ui/bfunction_plot.hpp"
+#include "ui/curvature_plot.hpp"
 #include "ui/legend.hpp"
 
 #include <glm/common.hpp>
@@ -64,11 +67,12 @@ const Curve* curveOf(const scene::State& state, int object) noexcept {
     return state.objects[static_cast<std::size_t>(object)]->body.curve();
 }
 
-/// What the basis functions and the knot line of one object have in common.
+/// What the curvature, the basis functions and the knot line of one object have in common.
 struct ParameterPlots {
     int object = -1;
     std::vector<const Shape*> basis;
     std::vector<const Shape*> knotShapes;
+    std::vector<const Shape*> curvature;
     std::vector<double> knots;
     Interval domain;
     Interval range;
@@ -79,14 +83,17 @@ ParameterPlots parameterPlots(const FigureRequest& request) {
     ParameterPlots plots;
     plots.object = plottedObject(drawing, Pane::knots, request.object);
     if (plots.object < 0) plots.object = plottedObject(drawing, Pane::basis, request.object);
+    if (plots.object < 0) plots.object = plottedObject(drawing, Pane::curvature, request.object);
+    plots.curvature = shapesOf(drawing, Pane::curvature, plots.object);
     plots.basis = shapesOf(drawing, Pane::basis, plots.object);
     plots.knotShapes = shapesOf(drawing, Pane::knots, plots.object);
     plots.knots = knotsOf(plots.knotShapes);
     std::vector<const Shape*> all = plots.basis;
     all.insert(all.end(), plots.knotShapes.begin(), plots.knotShapes.end());
-    plots.range = request.frozenRange ? *request.frozenRange : ui::extentX(all);
     const Curve* curve = curveOf(*request.state, plots.object);
-    plots.domain = curve != nullptr ? domain(*curve) : plots.range;
+    const Interval extent = ui::extentX(all);
+    plots.domain = curve != nullptr ? domain(*curve) : extent;
+    plots.range = request.frozenRange ? *request.frozenRange : all.empty() ? plots.domain : extent;
     return plots;
 }
 
@@ -136,6 +143,25 @@ void addGizmo(PaneFigure& pane, const Gizmo& gizmo, const FigureRequest& request
     }
 }
 
+/// The words of a label shape whose place is in the pane, moved so that all of them are.
+void addName(PaneFigure& pane, const Shape& shape) {
+    constexpr double size = 13;
+    constexpr double margin = 4;
+    const Box& box = pane.plot.box;
+    const Pixel at = pane.sight.toPixels(positionOf(shape, 0));
+    Pixel middle{at.x + static_cast<double>(shape.offset[0]),
+                 at.y + static_cast<double>(shape.offset[1])};
+    const double half = 0.3 * size * static_cast<double>(drawing::lettersIn(shape.text)) + margin;
+    const double high = 0.6 * size + margin;
+    if (!box.contains(at)) return;
+    if (box.width > 2 * half && box.height > 2 * high) {
+        middle.x = std::clamp(middle.x, box.x + half, box.right() - half);
+        middle.y = std::clamp(middle.y, box.y + high, box.bottom() - high);
+    }
+    pane.plot.labels.push_back({shape.text, middle, ui::Align::centre, ui::Baseline::middle, size,
+                                false, shape.colour});
+}
+
 void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
                   const Camera& camera, const ui::Theme& colours) {
     PaneFigure pane;
@@ -155,12 +181,7 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
         if (shape.kind != Kind::label) {
             pane.shapes.push_back(painted(shape, request.emphasis));
         } else if (!shape.positions.empty()) {
-            const Pixel at = pane.sight.toPixels(positionOf(shape, 0));
-            pane.plot.labels.push_back({shape.text,
-                                        {at.x + static_cast<double>(shape.offset[0]),
-                                         at.y + static_cast<double>(shape.offset[1])},
-                                        ui::Align::centre, ui::Baseline::middle, 13, false,
-                                        shape.colour});
+            addName(pane, shape);
         }
     }
     if (request.ghost != nullptr) pane.below = *request.ghost;
@@ -199,13 +220,47 @@ void addPlot(Figure& figure, ui::Plot plot, int object, const FigureRequest& req
     figure.panes.push_back(std::move(pane));
 }
 
+/// Smallest and largest curvature; of a curve that bends nowhere 0 alone.
+Interval curvatureValues(const std::vector<const Shape*>& shapes) noexcept {
+    Interval values{0, 0};
+    for (const Shape* shape : shapes) {
+        for (std::size_t i = 1; i < shape->positions.size(); i += 3) {
+            values.start = std::min(values.start, shape->positions[i]);
+            values.end = std::max(values.end, shape->positions[i]);
+        }
+    }
+    return values;
+}
+
+/// On the axis of the plots below it where these are of the same object, else on its own.
+void addCurvature(Figure& figure, const FigureRequest& request, const Box& box,
+                  const ParameterPlots& plots, bool above, const ui::Theme& colours) {
+    const int object = plottedObject(*request.drawing, Pane::curvature, plots.object);
+    const auto shapes = shapesOf(*request.drawing, Pane::curvature, object);
+    const bool shared = object == plots.object;
+    ui::CurvatureContent content{curvatureValues(shapes), {}, shared && above};
+    if (shared) content.knots = plots.knots;
+    for (const Shape* shape : shapes) {
+        if (shape->kind == Kind::label) content.labels.push_back(shape);
+    }
+    const ui::ParameterAxis axis =
+        shared ? figure.axis : ui::parameterAxis(box, domain(*curveOf(*request.state, object)));
+    addPlot(figure, ui::curvaturePlot(box, axis, content, colours), object, request);
+}
+
 void addParameterPanes(Figure& figure, const FigureRequest& request,
                        const ui::FigureLayout& layout, const ui::Theme& colours) {
-    if (!layout.basis && !layout.knots) return;
+    if (!layout.basis && !layout.knots && !layout.curvature) return;
     const ParameterPlots plots = parameterPlots(request);
-    figure.axis = ui::parameterAxis(layout.basis ? *layout.basis : *layout.knots, plots.range);
+    const Box& column = layout.basis       ? *layout.basis
+                        : layout.curvature ? *layout.curvature
+                                           : *layout.knots;
+    figure.axis = ui::parameterAxis(column, plots.range);
+    const bool below = layout.basis || layout.knots;
+    if (layout.curvature) addCurvature(figure, request, *layout.curvature, plots, below, colours);
+    const bool joined = layout.curvature && !plots.curvature.empty();
     if (layout.basis) {
-        const ui::BasisContent content{ui::extentY(plots.basis), plots.knots};
+        const ui::BasisContent content{ui::extentY(plots.basis), plots.knots, joined};
         addPlot(figure,
                 ui::basisPlot(*layout.basis, figure.axis, content, !layout.knots, colours),
                 plots.object, request);
@@ -213,7 +268,7 @@ void addParameterPanes(Figure& figure, const FigureRequest& request,
     if (layout.knots) {
         addPlot(figure,
                 ui::knotLine(*layout.knots, figure.axis,
-                             {plots.knots, plots.domain, layout.basis.has_value()}, colours),
+                             {plots.knots, plots.domain, layout.basis || joined}, colours),
                 plots.object, request);
     }
 }
@@ -225,19 +280,41 @@ std::array<double, 2> orderOf(const scene::State& state, int object) noexcept {
     return blend != nullptr ? blend->blend().order() : std::array<double, 2>{0, 0};
 }
 
+/// A line of the legend for each of the objects.
+std::vector<ui::BFunctionEntry> bFunctionEntries(const FigureRequest& request,
+                                                 const std::vector<int>& objects) {
+    std::vector<ui::BFunctionEntry> entries;
+    for (const int object : objects) {
+        const std::vector<const Shape*> shapes =
+            shapesOf(*request.drawing, Pane::bFunction, object);
+        entries.push_back({request.state->objects[static_cast<std::size_t>(object)]->id,
+                           shapes.front()->colour, shapes.front()->dashed,
+                           orderOf(*request.state, object)});
+    }
+    return entries;
+}
+
+/// The rows of one object, or of several that are compared.
 void addBFunction(Figure& figure, const FigureRequest& request, const Box& box,
                   const ui::Theme& colours) {
     const int object = plottedObject(*request.drawing, Pane::bFunction, request.object);
+    const std::vector<int> objects = drawing::comparedObjects(*request.drawing, object);
     ui::BFunctionContent content;
     for (int order = 0;; ++order) {
-        std::vector<const Shape*> rows = shapesOf(*request.drawing, Pane::bFunction, object);
-        std::erase_if(rows, [order](const Shape* shape) { return shape->index != order; });
+        std::vector<const Shape*> rows;
+        for (const int one : objects) {
+            for (const Shape* shape : shapesOf(*request.drawing, Pane::bFunction, one)) {
+                if (shape->index == order) rows.push_back(shape);
+            }
+        }
         if (rows.empty()) break;
         content.values.push_back(ui::extentY(rows));
     }
     content.orderWords = request.orderWords;
     content.order = orderOf(*request.state, object);
+    if (objects.size() > 1) content.compared = bFunctionEntries(request, objects);
     for (ui::Plot& plot : ui::bFunctionPlots(box, content, colours)) {
+        plot.besides = objects;
         addPlot(figure, std::move(plot), object, request);
     }
 }
@@ -291,7 +368,7 @@ const PaneFigure* Figure::find(Pane pane) const noexcept {
 drawing::Panes panesAsked(const scene::State& state) noexcept {
     const auto asked = [&](Pane pane) { return asksFor(state, drawing::paneName(pane)); };
     return {true, asked(Pane::basis), asked(Pane::knots), asked(Pane::bFunction),
-            asked(Pane::hodograph)};
+            asked(Pane::hodograph), asked(Pane::curvature)};
 }
 
 ui::FigureLayout layoutOf(const FigureRequest& request) {
@@ -304,11 +381,13 @@ ui::FigureLayout layoutOf(const FigureRequest& request) {
     wanted.knots = has(Pane::knots);
     wanted.bFunction = has(Pane::bFunction);
     wanted.hodograph = has(Pane::hodograph);
-    const bool plots = wanted.basis || wanted.knots || wanted.bFunction || wanted.hodograph;
+    wanted.curvature = has(Pane::curvature);
+    const bool plots = wanted.basis || wanted.knots || wanted.bFunction || wanted.hodograph ||
+                       wanted.curvature;
     wanted.curve = !plots || asksFor(*request.state, "curve");
     wanted.curveAspect = request.curveAspect;
     if (wanted.knots) wanted.knotRows = ui::tallestPile(parameterPlots(request).knots);
-    return ui::layoutFigure(request.box, wanted);
+    return ui::layoutFigure(request.box, wanted, request.shares);
 }
 
 Figure composeFigure(const FigureRequest& request, const ui::FigureLayout& layout,

@@ -96,6 +96,7 @@ struct FigureRequest {
     std::optional<Gizmo> gizmo;  ///< at the selected handle
     std::optional<Reading> reading;
     const std::vector<Shape>* ghost = nullptr;  ///< what is dragged as it was before
+    ui::Shares shares;  ///< of panes whose seams were moved
 };
 
 /// The panes that the document asks for, and the one of the curve, which stands where there is no

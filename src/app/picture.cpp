@@ -4,6 +4,7 @@
 #include "drawing/measures.hpp"
 #include "geometry/curve_sphere.hpp"
 
+#include <array>
 #include <cmath>
 
 namespace knotwork::app {
@@ -64,6 +65,10 @@ void addPlaced(drawing::Bounds& bounds, const scene::Placed& placed) {
     if (blend != nullptr && placed.object->show.locals) addLocals(bounds, placed, *blend);
     if (placed.object->show.sphere) {
         drawing::addSphere(bounds, enclosingSphere(*curve), dimension(*curve) == 2,
+                           placed.placement);
+    }
+    if (const auto& line = placed.object->line; line && placed.object->show.crossings) {
+        drawing::addPoints(bounds, std::array{line->point, line->point + line->direction},
                            placed.placement);
     }
     if (!placed.object->show.polygon && !placed.object->show.points) return;

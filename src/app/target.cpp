@@ -11,6 +11,7 @@ std::optional<TargetKind> kindOfList(std::string_view list) noexcept {
     if (name == "points" || name == "vertices") return TargetKind::point;
     if (name == "knots") return TargetKind::knot;
     if (name == "poses") return TargetKind::pose;
+    if (name == "line") return TargetKind::line;
     return std::nullopt;
 }
 
@@ -61,6 +62,7 @@ std::string_view kindName(TargetKind kind) noexcept {
         case TargetKind::point: return "point";
         case TargetKind::knot: return "knot";
         case TargetKind::pose: return "pose";
+        case TargetKind::line: return "line";
     }
     return "";
 }

@@ -14,7 +14,8 @@ namespace knotwork::app {
 using drawing::Pane;
 using drawing::Shape;
 
-enum class TargetKind { point, knot, pose };
+/// `line` is the point or the direction of an object's line.
+enum class TargetKind { point, knot, pose, line };
 
 struct Target {
     int object = 0;

@@ -231,6 +231,7 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.gizmo = gizmo();
     request.reading = reading();
     request.ghost = &ghost_;
+    request.shares = shares_;
     if (heldPart_) request.emphasis.part = heldPart_;
     return request;
 }

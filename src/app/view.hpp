@@ -85,6 +85,12 @@ public:
     /// A click in place of a drag of what is selected: App::place.
     bool place(const Pixel& at, std::string_view how);
 
+    /// Which panes there are and the seams between them: App::panes.
+    [[nodiscard]] std::string panes();
+    /// Puts a seam where so large a share of what it parts is to its left or above it; without a
+    /// share where it stands by itself. That is kept from scene to scene.
+    bool moveSeam(std::string_view name, std::optional<double> share);
+
     /// `covered` tells whether something lies over a box of the view, so that no label is wanted.
     [[nodiscard]] std::string labels(const std::function<bool(const ui::Box&)>& covered) const;
     [[nodiscard]] std::string labels() const {
@@ -173,6 +179,7 @@ private:
     bool spatial_ = false;
     bool depthChecked_ = true;       ///< spatial_ is that of the present revision
     ui::FigureLayout layout_;
+    ui::Shares shares_;
     bool touched_ = true;            ///< a frame is due
     bool stale_ = true;              ///< figure_ is not that of the present state
     bool atHome_ = true;             ///< the camera shows what fit() would, also in another size

@@ -63,6 +63,8 @@ EMSCRIPTEN_BINDINGS(knotwork_app) {
         .function("setStep", &App::setStep)
         .function("shift", &App::shift)
         .function("place", &App::place)
+        .function("panes", &App::panes)
+        .function("moveSeam", &App::moveSeam)
         .function("stats", &App::stats);
     class_<PageApp, base<App>>("App")
         .constructor<Session&>()

@@ -8,8 +8,8 @@ namespace knotwork::bindings {
 
 namespace {
 
-std::array<std::span<const CurveQuery>, 2> curveTopics() noexcept {
-    return {bsplineQueries(), subdivisionQueries()};
+std::array<std::span<const CurveQuery>, 3> curveTopics() noexcept {
+    return {bsplineQueries(), subdivisionQueries(), crossingQueries()};
 }
 std::array<std::span<const SurfaceQuery>, 3> surfaceTopics() noexcept {
     return {bsplineSurfaceQueries(), blendingSurfaceQueries(), blendingTriangleQueries()};

@@ -50,6 +50,7 @@ struct FreeQuery {
 // Each of these stands in a file of its own: queries_<topic>.cpp.
 [[nodiscard]] std::span<const CurveQuery> bsplineQueries() noexcept;
 [[nodiscard]] std::span<const CurveQuery> subdivisionQueries() noexcept;
+[[nodiscard]] std::span<const CurveQuery> crossingQueries() noexcept;
 [[nodiscard]] std::span<const SurfaceQuery> bsplineSurfaceQueries() noexcept;
 [[nodiscard]] std::span<const SurfaceQuery> blendingSurfaceQueries() noexcept;
 [[nodiscard]] std::span<const SurfaceQuery> blendingTriangleQueries() noexcept;

@@ -83,9 +83,7 @@ drawing::SvgTheme themeOf(const Json& fields) {
 
 std::vector<drawing::Pane> panesOf(const Json& fields) {
     std::vector<drawing::Pane> panes;
-    for (const drawing::Pane pane :
-         {drawing::Pane::curve, drawing::Pane::basis, drawing::Pane::knots, drawing::Pane::bFunction,
-          drawing::Pane::hodograph}) {
+    for (const drawing::Pane pane : drawing::allPanes) {
         const Json* list = scene::member(fields, "panes");
         const Json name(drawing::paneName(pane));
         if (std::find(list->begin(), list->end(), name) != list->end()) panes.push_back(pane);

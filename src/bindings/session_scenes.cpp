@@ -16,7 +16,8 @@ namespace {
 drawing::Panes panesOf(unsigned bits) {
     const auto has = [&](drawing::Pane pane) { return (bits >> static_cast<unsigned>(pane) & 1U) != 0; };
     return {has(drawing::Pane::curve), has(drawing::Pane::basis), has(drawing::Pane::knots),
-            has(drawing::Pane::bFunction), has(drawing::Pane::hodograph)};
+            has(drawing::Pane::bFunction), has(drawing::Pane::hodograph),
+            has(drawing::Pane::curvature)};
 }
 
 }  // namespace

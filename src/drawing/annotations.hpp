@@ -30,6 +30,9 @@ void drawStencil(Sketch& sketch);
 /// The weights at those vertices, and the letter of the new point.
 [[nodiscard]] std::vector<Wanted> stencilLabels(const Sketch& sketch);
 
+/// How often the object's line crosses its curve and its polygon, where its direction is held.
+[[nodiscard]] std::vector<Wanted> crossingLabels(const Sketch& sketch);
+
 /// The names that the object's `show.labels` asks for (P0 …, t3, t = 0.5), and those of its trace
 /// and its stencil.
 void drawLabels(Sketch& sketch);

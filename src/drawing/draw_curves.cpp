@@ -90,7 +90,8 @@ void drawCurveFigure(Sketch& sketch, const Curve& curve) {
     }
     if (show.curve) {
         sketch.addCurve(Role::curve, static_cast<float>(sketch.object().style.width), curve,
-                        domain(curve));
+                        domain(curve))
+            .dashed = sketch.object().style.dashed;
     }
     const std::span<const double> knots = knotsOf(curve);
     if (!knots.empty() && show.knots) drawKnotsOnCurve(sketch, curve, knots);
@@ -99,6 +100,7 @@ void drawCurveFigure(Sketch& sketch, const Curve& curve) {
         shape.path = sketch.path("points");
         append(shape, control.points);
     }
+    if (show.crossings) drawCrossings(sketch, curve);
     if (blend != nullptr && show.handles) drawHandles(sketch, handlePoints(*blend));
 }
 

@@ -1,6 +1,7 @@
 #include "drawing/drawing.hpp"
 
 #include "drawing/annotations.hpp"
+#include "drawing/palette.hpp"
 #include "drawing/plots.hpp"
 #include "drawing/sketch.hpp"
 
@@ -23,13 +24,21 @@ constexpr std::array roleNames{
     std::string_view("label")};
 static_assert(roleNames.size() == static_cast<std::size_t>(Role::label) + 1);
 
+Pen penOf(const Sketch& sketch) {
+    const scene::Style& style = sketch.object().style;
+    Colour colour = onBackground(style.colour, sketch.options().dark);
+    colour.alpha = 1;
+    return {colour, style.dashed};
+}
+
 /// The functions in the panes of plots, and the B-functions of both directions of a surface.
 void drawBFunctions(Sketch& sketch, const BlendingSurface& blend) {
-    const bool dark = sketch.options().dark;
     const BFunction& along = blend.alongU().blend;
-    sketch.take(bFunctionPlot(along, sketch.number(), dark));
+    Pen pen = penOf(sketch);
+    sketch.take(bFunctionPlot(along, sketch.number(), pen));
     if (blend.alongV().blend == along) return;
-    sketch.take(bFunctionPlot(blend.alongV().blend, sketch.number(), dark));
+    pen.dashed = !pen.dashed;
+    sketch.take(bFunctionPlot(blend.alongV().blend, sketch.number(), pen));
 }
 
 void drawFunctions(Sketch& sketch, const Curve& curve, bool editable) {
@@ -49,7 +58,7 @@ void drawFunctions(Sketch& sketch, const Curve& curve, bool editable) {
         sketch.take(std::move(line));
     }
     if (blend != nullptr && show.bFunction && panes.bFunction) {
-        sketch.take(bFunctionPlot(blend->blend(), sketch.number(), dark));
+        sketch.take(bFunctionPlot(blend->blend(), sketch.number(), penOf(sketch)));
     }
 }
 
@@ -66,7 +75,8 @@ std::string_view kindName(Kind kind) noexcept {
 std::string_view paneName(Pane pane) noexcept {
     constexpr std::array names{std::string_view("curve"), std::string_view("basis"),
                                std::string_view("knots"), std::string_view("bFunction"),
-                               std::string_view("hodograph")};
+                               std::string_view("hodograph"), std::string_view("curvature")};
+    static_assert(names.size() == allPanes.size());
     return names[static_cast<std::size_t>(pane)];
 }
 
@@ -89,7 +99,7 @@ void Bounds::add(const Shape& shape) noexcept {
 
 std::vector<Shape> sketchFigure(const scene::Object& object, const scene::Body& body, int number,
                                 const Options& options) {
-    if (!options.panes.curve && !options.panes.hodograph) return {};
+    if (!options.panes.curve && !options.panes.hodograph && !options.panes.curvature) return {};
     Sketch sketch(object, body, number, options);
     if (const Curve* curve = body.curve()) drawCurveFigure(sketch, *curve);
     if (const Surface* surface = body.surface()) drawSurfaceFigure(sketch, *surface);

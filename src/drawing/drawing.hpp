@@ -25,8 +25,11 @@ enum class Kind { polyline, points, triangles, label };
 
 /// Which of the linked views a shape belongs to. In `curve` positions are world coordinates; in
 /// `basis` and `bFunction` x is the parameter and y the value; in `knots` x is the knot and y the
-/// row in a pile of equal knots (0, 1, …). In `hodograph` they are first derivatives.
-enum class Pane { curve, basis, knots, bFunction, hodograph };
+/// row in a pile of equal knots (0, 1, …). In `hodograph` they are first derivatives; in
+/// `curvature` x is the parameter and y the curvature.
+enum class Pane { curve, basis, knots, bFunction, hodograph, curvature };
+inline constexpr std::array allPanes{Pane::curve,     Pane::basis,     Pane::knots,
+                                     Pane::bFunction, Pane::hodograph, Pane::curvature};
 
 [[nodiscard]] std::string_view roleName(Role role) noexcept;
 [[nodiscard]] std::string_view kindName(Kind kind) noexcept;
@@ -99,6 +102,7 @@ struct Panes {
     bool knots = true;
     bool bFunction = true;
     bool hodograph = true;
+    bool curvature = true;
     friend bool operator==(const Panes&, const Panes&) = default;
 };
 

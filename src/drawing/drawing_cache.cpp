@@ -40,8 +40,10 @@ bool haveSameFunctions(const Body& a, const Body& b) noexcept {
     return isSame(a, b);
 }
 
-bool plotAlike(const scene::Show& a, const scene::Show& b) noexcept {
-    return a.basis == b.basis && a.knots == b.knots && a.bFunction == b.bFunction;
+bool plotAlike(const scene::Object& a, const scene::Object& b) noexcept {
+    return a.show.basis == b.show.basis && a.show.knots == b.show.knots &&
+           a.show.bFunction == b.show.bFunction && a.style.colour == b.style.colour &&
+           a.style.dashed == b.style.dashed;
 }
 
 /// Whether they ask for the same of an object at rest; the moment is in its body and its place.
@@ -87,7 +89,7 @@ struct DrawingCache::Entry {
     }
     [[nodiscard]] bool plotsAs(const scene::Object& wanted, const Body& as,
                                const Options& own) const noexcept {
-        return plotAlike(object->show, wanted.show) && haveSameFunctions(body, as) &&
+        return plotAlike(*object, wanted) && haveSameFunctions(body, as) &&
                options.dark == own.dark && options.panes == own.panes;
     }
 };

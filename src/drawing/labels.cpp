@@ -219,6 +219,7 @@ void drawLabels(Sketch& sketch) {
     if (sketch.show().labels) wanted = namesOf(sketch);
     if (wanted.size() > mostLabels) wanted.clear();
     for (Wanted& one : traceLabels(sketch.object())) wanted.push_back(std::move(one));
+    for (Wanted& one : crossingLabels(sketch)) wanted.push_back(std::move(one));
     for (Wanted& one : stencilLabels(sketch)) wanted.push_back(std::move(one));
     if (!wanted.empty()) placeLabels(sketch, wanted);
 }

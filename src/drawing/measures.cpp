@@ -261,6 +261,7 @@ void drawCurveMeasures(Sketch& sketch, const Curve& curve, std::span<const Vec3>
     if (show.osculating) drawOsculatingCircle(sketch, curve);
     if (show.frames) drawFrames(sketch, curve);
     if (show.hodograph && sketch.options().panes.hodograph) drawHodograph(sketch, curve);
+    if (show.curvature && sketch.options().panes.curvature) drawCurvature(sketch, curve);
 }
 
 }  // namespace knotwork::drawing

@@ -17,6 +17,18 @@ void drawComb(Sketch& sketch, const Curve& curve);
 /// is. Its chord error is to its size what the tolerance is to the curve's, or 1/5000 of it.
 void drawHodograph(Sketch& sketch, const Curve& curve);
 
+/// The curvature over the parameter in pane `curvature`, signed in the plane, of the object before
+/// effects place it: role comb, index 0 the graph in runs without jumps, index 1 the point at the
+/// object's parameter, role knots the ends of the spans. It ends at a height that nine tenths of it
+/// stay far below, or at its own; where it goes beyond, a mark (index 2) and a label say how far,
+/// `∞` at a cusp. Nothing of a spline of more than 4096 spans.
+void drawCurvature(Sketch& sketch, const Curve& curve);
+
+/// Role frame, index 4: the object's line (dashed) with its direction, role handle the two points
+/// by which it is held, index 5 where it crosses the curve, index 6 its control polygon, and a label
+/// with both numbers, `2 ≤ 4`. Nothing of a curve without control polygon.
+void drawCrossings(Sketch& sketch, const Curve& curve);
+
 /// Role frame, index 3: the circle (of a large one an arc), its centre and its radius at the
 /// object's parameter. Where the curvature vanishes, the tangent.
 void drawOsculatingCircle(Sketch& sketch, const Curve& curve);

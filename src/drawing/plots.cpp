@@ -3,6 +3,7 @@
 #include "drawing/palette.hpp"
 #include "geometry/bspline_basis.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -20,13 +21,13 @@ void append(Shape& shape, double x, double y) {
     shape.positions.insert(shape.positions.end(), {x, y, 0.0});
 }
 
-Shape plotShape(int object, Role role, Pane pane, std::size_t index, bool dark) {
+Shape plotShape(int object, Role role, Pane pane, std::size_t index, const Colour& colour) {
     Shape shape;
     shape.object = object;
     shape.role = role;
     shape.kind = Kind::polyline;
     shape.pane = pane;
-    shape.colour = cycleColour(index, dark);
+    shape.colour = colour;
     shape.index = static_cast<int>(index);
     return shape;
 }
@@ -43,7 +44,8 @@ public:
                                (seen_[function] == span || seen_[function] + 1 == span);
         if (!continues) {
             running_[function] = shapes_.size();
-            shapes_.push_back(plotShape(object_, Role::basis, Pane::basis, function, dark_));
+            shapes_.push_back(plotShape(object_, Role::basis, Pane::basis, function,
+                                        cycleColour(function, dark_)));
         }
         seen_[function] = span;
         append(shapes_[running_[function]], t, value);
@@ -119,11 +121,11 @@ std::vector<Shape> basisPlot(const Curve& curve, int object, bool dark) {
     return {};
 }
 
-std::vector<Shape> bFunctionPlot(const BFunction& blend, int object, bool dark) {
+std::vector<Shape> bFunctionPlot(const BFunction& blend, int object, const Pen& pen) {
     std::vector<Shape> shapes;
     for (std::size_t order = 0; order <= blendDerivatives; ++order) {
-        shapes.push_back(plotShape(object, Role::bFunction, Pane::bFunction, order, dark));
-        shapes.back().dashed = order > 0;
+        shapes.push_back(plotShape(object, Role::bFunction, Pane::bFunction, order, pen.colour));
+        shapes.back().dashed = pen.dashed;
     }
     std::array<double, blendDerivatives + 1> rows{};
     for (std::size_t i = 0; i <= blendChords; ++i) {
@@ -134,6 +136,31 @@ std::vector<Shape> bFunctionPlot(const BFunction& blend, int object, bool dark) 
         }
     }
     return shapes;
+}
+
+std::vector<int> comparedObjects(const Drawing& drawing, int object) {
+    std::vector<const Shape*> different;
+    const auto isAlike = [&](const Shape& shape) {
+        return std::any_of(different.begin(), different.end(), [&](const Shape* other) {
+            return other->object == shape.object || other->positions == shape.positions;
+        });
+    };
+    const auto isFunction = [](const Shape& shape) {
+        return shape.pane == Pane::bFunction && shape.index == 0;
+    };
+    for (const Shape& shape : drawing.shapes) {
+        if (isFunction(shape) && shape.object == object && different.empty()) {
+            different.push_back(&shape);
+        }
+    }
+    for (const Shape& shape : drawing.shapes) {
+        if (isFunction(shape) && !isAlike(shape)) different.push_back(&shape);
+    }
+    if (different.size() > mostCompared) return {object};
+    std::vector<int> objects;
+    for (const Shape* shape : different) objects.push_back(shape->object);
+    std::sort(objects.begin(), objects.end());
+    return objects;
 }
 
 Shape knotLine(std::span<const double> knots, int object, std::string path, bool dark) {

@@ -1,5 +1,6 @@
 #include "drawing/svg_plots.hpp"
 
+#include "drawing/plots.hpp"
 #include "drawing/sketch.hpp"
 #include "drawing/svg_theme.hpp"
 #include "drawing/ticks.hpp"
@@ -19,6 +20,9 @@ constexpr double knotRow = 12;          // pixels of an equal knot more
 constexpr double knotHeight = 50;       // of the knot line with one row and the names below it
 constexpr double left = 44, right = 16, top = 12, bottom = 24;  // round the area of a plot
 constexpr double fontSize = 11;
+constexpr double legendLine = 17;       // of a legend
+constexpr double sample = 30;           // of a line in it
+constexpr double curvatureShare = 0.5;  // of the height beside basis functions
 constexpr double cell = 56;             // of the grid, at least
 
 bool has(const Drawing& drawing, Pane pane) {
@@ -64,35 +68,49 @@ public:
     PlotWriter(XmlWriter& xml, const Drawing& drawing, const scene::State& state, SvgTheme theme)
         : xml_(xml), drawing_(drawing), state_(state), theme_(theme), colours_(svgColours(theme)) {}
 
-    /// Basis functions and the knot line have one axis.
-    void parameterPlots(const Frame& basis, const Frame& knots) {
-        PanePicture functions{Pane::basis, {}, theme_, objectIn(drawing_, Pane::basis), -1};
-        PanePicture line{Pane::knots, {}, theme_, objectIn(drawing_, Pane::knots), -1};
-        const Bounds all = boundsOf(drawing_, knots.height > 0 ? line : functions);
+    /// Curvature, basis functions and the knot line have one axis, where they are of one object.
+    void parameterPlots(const SvgLayout& layout) {
+        PanePicture functions = pictureOf(Pane::basis);
+        PanePicture line = pictureOf(Pane::knots);
+        PanePicture graph = pictureOf(Pane::curvature);
+        const bool basis = layout.basis.height > 0;
+        const bool knots = layout.knots.height > 0;
+        const Bounds all = boundsOf(drawing_, knots ? line : basis ? functions : graph);
         const Interval x = ranged(all.min.x, all.max.x);
-        if (basis.height > 0) {
+        if (layout.curvature.height > 0) {
+            const bool shared = graph.object == (knots ? line.object : functions.object);
+            curvaturePlot(layout.curvature, graph, shared && (basis || knots), x);
+        }
+        if (basis) {
             const Bounds values = boundsOf(drawing_, functions);
-            begin(functions, basis, x, {std::min(0.0, values.min.y), std::max(1.0, values.max.y)},
-                  knots.height > 0 ? top / 2 : bottom);
-            if (!(knots.height > 0)) ticksBelow(x);
+            begin(functions, layout.basis, x,
+                  {std::min(0.0, values.min.y), std::max(1.0, values.max.y)},
+                  knots ? top / 2 : bottom);
+            if (!knots) ticksBelow(x);
             ticksBeside();
             end(functions);
         }
-        if (knots.height > 0) {
+        if (knots) {
             const Bounds piles = boundsOf(drawing_, line);
-            begin(line, knots, x, {0, std::max(1.0, piles.max.y)}, bottom);
+            begin(line, layout.knots, x, {0, std::max(1.0, piles.max.y)}, bottom);
             ticksBelow(x);
             end(line);
         }
     }
 
-    /// B and its derivatives in rows, each with values of its own.
-    void bFunctionPlot(const Frame& frame) {
+    /// B and its derivatives in rows, each with values of its own; of several objects where these
+    /// are compared, with a legend.
+    void bFunctionPlot(const Frame& whole) {
         constexpr int rows = 3;
         constexpr std::array names{"B", "B\u2032", "B\u2033"};
+        const int object = objectIn(drawing_, Pane::bFunction);
+        const std::vector<int> compared = comparedObjects(drawing_, object);
+        const auto lines = static_cast<double>(compared.size());
+        const double legend = compared.size() > 1 ? legendLine * lines : 0;
+        const Frame frame{whole.x, whole.y + legend, whole.width, whole.height - legend};
         for (int order = 0; order < rows; ++order) {
-            PanePicture picture{Pane::bFunction, {}, theme_, objectIn(drawing_, Pane::bFunction),
-                                order};
+            PanePicture picture{Pane::bFunction, {}, theme_, object, order};
+            picture.besides = compared;
             const Bounds values = boundsOf(drawing_, picture);
             if (values.empty) continue;
             const Frame row{frame.x, frame.y + order * frame.height / rows, frame.width,
@@ -105,6 +123,7 @@ public:
             name(names[static_cast<std::size_t>(order)]);
             end(picture);
         }
+        if (legend > 0) writeLegend(whole, compared);
     }
 
     /// The derivative as a curve about the origin; of a plane with the grid of its coordinates.
@@ -179,6 +198,47 @@ private:
         xml_.begin("path").attribute("stroke", colours_.grid).attribute("d", data).end();
     }
 
+    [[nodiscard]] PanePicture pictureOf(Pane pane) const {
+        return {pane, {}, theme_, objectIn(drawing_, pane), -1};
+    }
+
+    void curvaturePlot(const Frame& frame, PanePicture& picture, bool shared, Interval x) {
+        const Bounds values = boundsOf(drawing_, picture);
+        if (!shared) x = ranged(values.min.x, values.max.x);
+        begin(picture, frame, x, ranged(std::min(0.0, values.min.y), std::max(0.0, values.max.y)),
+              shared ? top / 2 : bottom);
+        if (!shared) ticksBelow(x);
+        ticksBeside();
+        name("\u03ba");
+        picture.frame = area_;
+        end(picture);
+    }
+
+    /// A sample of each object's line with its name.
+    void writeLegend(const Frame& frame, const std::vector<int>& objects) {
+        xml_.begin("g").attribute("class", "knotwork-legend");
+        double y = frame.y + top;
+        for (const int object : objects) {
+            legendEntry(object, frame.x + left, y);
+            y += legendLine;
+        }
+        xml_.end();
+    }
+
+    void legendEntry(int object, double x, double y) {
+        const auto shape = std::find_if(
+            drawing_.shapes.begin(), drawing_.shapes.end(),
+            [&](const Shape& s) { return s.pane == Pane::bFunction && s.object == object; });
+        xml_.begin("line").number("x1", x).number("x2", x + sample).number("y1", y).number("y2", y);
+        xml_.attribute("stroke", svgColour(shape->colour, theme_)).number("stroke-width", 2);
+        if (shape->dashed) xml_.attribute("stroke-dasharray", "6 5");
+        xml_.end();
+        xml_.begin("text").attribute("fill", colours_.ink);
+        xml_.attribute("font-family", "sans-serif").number("font-size", fontSize);
+        xml_.number("x", x + sample + 8).number("y", y + fontSize / 3);
+        xml_.text(state_.objects[static_cast<std::size_t>(object)]->id);
+    }
+
     void ticksBelow(const Interval& x) {
         beginNames("middle");
         const int most = std::max(1, static_cast<int>(area_.width / cell));
@@ -250,26 +310,32 @@ SvgLayout svgLayout(const Frame& whole, const Drawing& drawing, std::span<const 
     SvgLayout layout;
     layout.curve = whole;
     const bool basis = wanted(Pane::basis), knots = wanted(Pane::knots);
-    const bool bFunction = wanted(Pane::bFunction);
-    if (!basis && !knots && !bFunction) return withHodograph(layout, wanted);
+    const bool bFunction = wanted(Pane::bFunction), curvature = wanted(Pane::curvature);
+    if (!basis && !knots && !bFunction && !curvature) return withHodograph(layout, wanted);
     const double line = knots ? std::min(knotsHeight(drawing), whole.height / 2) : 0;
-    double plots = basis || bFunction ? std::max(plotShare * whole.height, line) : line;
+    const double share = basis && curvature ? 1.4 * plotShare : plotShare;
+    double plots = basis || bFunction || curvature ? std::max(share * whole.height, line) : line;
     if (!wanted(Pane::curve) && !wanted(Pane::hodograph)) plots = whole.height;
     layout.curve.height = whole.height - plots;
-    const double y = whole.y + layout.curve.height;
-    const bool parameters = basis || knots;
+    double y = whole.y + layout.curve.height;
+    const bool parameters = basis || knots || curvature;
     const double width = parameters && bFunction ? basisShare * whole.width : whole.width;
-    if (basis) layout.basis = {whole.x, y, width, plots - line};
-    if (knots) layout.knots = {whole.x, basis ? y + plots - line : y, width, basis ? line : plots};
     const double side = parameters ? width : 0;
     if (bFunction) layout.bFunction = {whole.x + side, y, whole.width - side, plots};
+    const double flexible = plots - (basis || curvature ? line : 0);
+    const double ofCurvature = !curvature ? 0 : basis ? curvatureShare * flexible : flexible;
+    if (curvature) layout.curvature = {whole.x, y, width, ofCurvature};
+    y += ofCurvature;
+    if (basis) layout.basis = {whole.x, y, width, flexible - ofCurvature};
+    if (basis) y += flexible - ofCurvature;
+    if (knots) layout.knots = {whole.x, y, width, basis || curvature ? line : plots};
     return withHodograph(layout, wanted);
 }
 
 void writePlots(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
                 const SvgLayout& layout, const Orientation& orientation, SvgTheme theme) {
     PlotWriter plots(xml, drawing, state, theme);
-    plots.parameterPlots(layout.basis, layout.knots);
+    plots.parameterPlots(layout);
     if (layout.bFunction.height > 0) plots.bFunctionPlot(layout.bFunction);
     if (layout.hodograph.height > 0) plots.hodographPlot(layout.hodograph, orientation);
 }

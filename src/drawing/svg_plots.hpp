@@ -1,5 +1,5 @@
-// The plots of a picture: basis functions over their knot line, a B-function with its derivatives,
-// and the hodograph.
+// The plots of a picture: curvature and basis functions over their knot line, a B-function with its
+// derivatives, and the hodograph.
 #pragma once
 
 #include "drawing/screen.hpp"
@@ -16,9 +16,10 @@ struct SvgLayout {
     Frame knots;
     Frame bFunction;
     Frame hodograph;
+    Frame curvature;
 };
 
-/// The curve above, basis functions on their knots below it, and the B-function beside these. The
+/// The curve above, curvature and basis functions on their knots below it, B-functions beside. The
 /// hodograph, a plane like that of the curve, is beside the curve.
 [[nodiscard]] SvgLayout svgLayout(const Frame& whole, const Drawing& drawing,
                                   std::span<const Pane> panes);

@@ -5,6 +5,9 @@
 #include "drawing/svg.hpp"
 #include "drawing/xml.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace knotwork::drawing {
 
 /// A pane where it stands in the picture.
@@ -15,10 +18,13 @@ struct PanePicture {
     int object = -1;  ///< only this one, or all
     int index = -1;   ///< only the shapes with this index, or all
     Frame frame = {};  ///< in which labels stay; empty: anywhere
+    std::vector<int> besides = {};  ///< objects that are compared with it
 
     [[nodiscard]] bool shows(const Shape& shape) const noexcept {
-        return shape.pane == pane && (object < 0 || shape.object == object) &&
-               (index < 0 || shape.index == index);
+        const bool compared =
+            std::find(besides.begin(), besides.end(), shape.object) != besides.end();
+        const bool wanted = object < 0 || shape.object == object || compared;
+        return shape.pane == pane && wanted && (index < 0 || shape.index == index);
     }
 };
 

@@ -1,5 +1,6 @@
 #include "scene/document.hpp"
 
+#include "scene/counted_line.hpp"
 #include "scene/memory.hpp"
 #include "scene/migrations.hpp"
 #include "scene/object_builders.hpp"
@@ -22,6 +23,7 @@ Style styleOf(const Json& spec) {
                : by == "mean"   ? Colouring::mean
                                 : Colouring::colour};
     made.colour.alpha = numberOr(style, "opacity", 1);
+    made.dashed = flagOr(style, "dashed", false);
     return made;
 }
 
@@ -41,10 +43,12 @@ Show showOf(const Json& spec) {
             .bFunction = shown("bFunction"),
             .comb = shown("comb"),
             .hodograph = shown("hodograph"),
+            .curvature = shown("curvature"),
             .osculating = shown("osculating"),
             .hull = shown("hull"),
             .frames = shown("frames"),
             .sphere = shown("sphere"),
+            .crossings = shown("crossings"),
             .residuals = shown("residuals"),
             .labels = shown("labels")};
 }
@@ -87,9 +91,12 @@ Result<std::shared_ptr<const Object>> objectOf(Made<Body> made, std::string id,
     if (!trace) return trace.error();
     const Style style = styleOf(made.spec);
     const Show show = showOf(made.spec);
+    const auto line = lineOf(made.spec);
+    if (!line) return line.error();
     return std::make_shared<const Object>(Object{std::move(made.spec), std::move(id), style, show,
                                                  std::move(made.value), *parameter,
-                                                 std::move(trace->trace), trace->frame, bytes});
+                                                 std::move(trace->trace), trace->frame, bytes,
+                                                 *line});
 }
 
 /// n of an id `c<n>` as freshId() makes them, up to `most`; 0 for any other.

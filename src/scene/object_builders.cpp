@@ -1,6 +1,7 @@
 #include "scene/object_builders.hpp"
 
 #include "geometry/named.hpp"
+#include "scene/counted_line.hpp"
 #include "scene/fit_specs.hpp"
 #include "scene/json_values.hpp"
 #include "scene/mesh_specs.hpp"
@@ -99,6 +100,7 @@ Result<Made<Body>> makeObject(const Json& spec) {
     }
     auto made = buildBody(*canonical);
     if (!made) return made.error();
+    fillLine(*canonical, *made);
     return Made<Body>{std::move(*canonical), std::move(*made)};
 }
 

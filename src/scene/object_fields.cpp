@@ -93,6 +93,8 @@ constexpr std::array styleFields{
     Field{.name = "colourBy", .label = "Coloured by", .kind = FieldKind::choice,
           .help = "What the colours of a surface show.", .defaultJson = "\"colour\"",
           .choices = colouringChoices},
+    Field{.name = "dashed", .label = "Dashed", .kind = FieldKind::flag,
+          .help = "The curve in dashes, and so its B-function.", .defaultJson = "false"},
 };
 
 constexpr std::array showFields{
@@ -109,11 +111,14 @@ constexpr std::array showFields{
     flag("bFunction", "B-function", "The B-function with its derivatives.", "true"),
     flag("comb", "Curvature comb", "The curvature, drawn across the curve.", "false"),
     flag("hodograph", "Hodograph", "The first derivative as a curve.", "false"),
+    flag("curvature", "Curvature", "The curvature over the parameter.", "false"),
     flag("osculating", "Osculating circle", "The circle that touches best at the parameter.",
          "false"),
     flag("hull", "Convex hull", "The convex hull of the control points.", "false"),
     flag("frames", "Frames", "Tangent, normal and binormal along the curve.", "false"),
     flag("sphere", "Enclosing sphere", "The smallest circle or sphere around it.", "false"),
+    flag("crossings", "Line", "A line that counts how often it crosses the curve and its polygon.",
+         "false"),
     flag("residuals", "Residuals", "From each datum to its point on the fitted curve.", "true"),
     flag("labels", "Labels", "Names of points and knots.", "false"),
 };
@@ -150,6 +155,13 @@ constexpr std::array traceFields{
           .max = 1e6, .defaultJson = "0"},
 };
 
+constexpr std::array lineParts{
+    Field{.name = "point", .label = "Point", .kind = FieldKind::point,
+          .help = "A point of the line whose crossings are counted."},
+    Field{.name = "direction", .label = "Direction", .kind = FieldKind::point,
+          .help = "The direction of that line."},
+};
+
 constexpr std::array objectTable{
     Field{.name = "id", .label = "Name", .kind = FieldKind::text,
           .help = "The name by which effects and commands call the object."},
@@ -161,16 +173,19 @@ constexpr std::array objectTable{
           .help = "Where the curve is measured; the middle of its domain if it is left out."},
     Field{.name = "trace", .label = "Trace", .kind = FieldKind::group,
           .help = "A step of an algorithm that is shown on the object.", .fields = traceFields},
+    Field{.name = "line", .label = "Line", .kind = FieldKind::list,
+          .help = "A point of the line whose crossings are counted, and its direction.", .min = 2,
+          .max = 2, .fields = lineParts},
 };
 
-constexpr std::string_view everyCurve = "curve comb hodograph osculating frames sphere";
+constexpr std::string_view everyCurve = "curve comb hodograph curvature osculating frames sphere";
 constexpr std::string_view everySurface = "surface isolines wireframe sphere";
 
 /// The flags that an object of this type has besides those of its kind.
 constexpr std::string_view ownFlags(std::string_view type) noexcept {
-    if (type == "bspline-curve") return "polygon points knots basis hull labels";
-    if (type == "bezier-curve") return "polygon points hull labels";
-    if (type == "subdivision-curve") return "polygon points labels";
+    if (type == "bspline-curve") return "polygon points knots basis hull crossings labels";
+    if (type == "bezier-curve") return "polygon points hull crossings labels";
+    if (type == "subdivision-curve") return "polygon points crossings labels";
     if (type == "blending-curve") return "knots locals handles basis bFunction labels";
     if (type == "bspline-surface") return "polygon points labels";
     if (type == "blending-surface") return "locals handles bFunction labels";

@@ -127,20 +127,34 @@ private:
         }
     }
 
-    /// Rows of points or of numbers and surfaces one by one; a list of anything else is one value.
+    /// Points, rows of points or of numbers and surfaces one by one; a list of anything else is one
+    /// value.
     void list(const Json& parent, const Field& field, const Json& value, const std::string& path,
               const std::string& group) {
         const Field& element = field.fields.all().front();
-        constexpr std::array single{FieldKind::points, FieldKind::numbers, FieldKind::surface};
+        constexpr std::array single{FieldKind::point, FieldKind::points, FieldKind::numbers,
+                                    FieldKind::surface};
         if (std::find(single.begin(), single.end(), element.kind) == single.end()) {
             return leaf(field, value, path, group, {});
         }
+        if (field.fields.all().size() > 1) return named(parent, field, value, path, group);
         for (std::size_t i = 0; i < value.size(); ++i) {
             Field row = element;
             const std::string label = std::string(field.label) + " " + std::to_string(i);
             row.label = label;
             if (row.help.empty()) row.help = field.help;
             one(parent, row, value[i], indexed(path, i), group);
+        }
+    }
+
+    /// Elements that have a field each.
+    void named(const Json& parent, const Field& field, const Json& value, const std::string& path,
+               const std::string& group) {
+        const std::span<const Field> fields = field.fields.all();
+        const std::string inside = group.empty() ? std::string(field.label)
+                                                 : group + " · " + std::string(field.label);
+        for (std::size_t i = 0; i < std::min(value.size(), fields.size()); ++i) {
+            one(parent, fields[i], value[i], indexed(path, i), inside);
         }
     }
 
@@ -218,6 +232,7 @@ std::vector<PanelField> panelFields(const Json& object) {
     std::erase_if(fields, [&](const PanelField& field) {
         const bool ofSurfaces = field.path == "style.opacity" || field.path == "style.colourBy";
         if (ofSurfaces && !showApplies(type, "surface")) return true;
+        if (field.path == "style.dashed" && !showApplies(type, "curve")) return true;
         constexpr std::string_view show = "show.";
         return field.path.starts_with(show) && !showApplies(type, field.path.substr(show.size()));
     });

@@ -4,6 +4,7 @@
 // step back and costs nothing. Every front end changes a scene by the same commands.
 #pragma once
 
+#include "geometry/line_crossings.hpp"
 #include "scene/body.hpp"
 #include "scene/colour.hpp"
 #include "scene/json.hpp"
@@ -34,10 +35,12 @@ struct Show {
     bool bFunction = true;
     bool comb = false;
     bool hodograph = false;
+    bool curvature = false;
     bool osculating = false;
     bool hull = false;
     bool frames = false;
     bool sphere = false;
+    bool crossings = false;
     bool residuals = true;
     bool labels = false;
 };
@@ -49,6 +52,7 @@ struct Style {
     Colour colour;       ///< with the opacity
     double width = 2.5;  ///< of the curve, in CSS pixels
     Colouring colouring = Colouring::colour;
+    bool dashed = false;  ///< the curve, and what stands for it in plots
 };
 
 /// One object of a scene, immutable once made.
@@ -63,6 +67,7 @@ struct Object {
     std::shared_ptr<const Trace> trace = {};  ///< null: none is shown
     std::size_t traceFrame = 0;               ///< which of its frames is
     std::size_t bytes = 0;                    ///< about as much memory as it takes
+    std::optional<PlaneLine> line = {};       ///< whose crossings are counted
 };
 
 enum class EffectKind { translate, rotate, scale, simulate, morph, colour };

@@ -75,7 +75,8 @@ Json kindSchema(const Field& field) {
         case FieldKind::scale: return {{"anyOf", {Json{{"type", "number"}}, tuple(2, 3)}}};
         case FieldKind::interval: return tuple(2, 2);
         case FieldKind::panes:
-            return listOf({{"enum", {"curve", "basis", "knots", "bFunction", "hodograph"}}});
+            return listOf({{"enum", {"curve", "basis", "knots", "bFunction", "hodograph",
+                                     "curvature"}}});
         case FieldKind::group: return objectSchema(field.fields.all());
         case FieldKind::pair: return pairOf(kindSchema(field.fields.all().front()));
         case FieldKind::list: return someOf(kindSchema(field.fields.all().front()), field);

@@ -80,7 +80,8 @@ Checked checkDirections(const Json& given, const Field& field, const Json& paren
 
 constexpr Choice paneChoices[] = {{"curve", "Curve"}, {"basis", "Basis functions"},
                                   {"knots", "Knots"}, {"bFunction", "B-function"},
-                                  {"hodograph", "Hodograph"}};
+                                  {"hodograph", "Hodograph"},
+                                  {"curvature", "Curvature"}};
 
 /// The parameters of what the parent names; there are none where it names nothing.
 Checked checkParameters(const Json& given, const std::optional<std::vector<Field>>& fields) {

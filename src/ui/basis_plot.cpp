@@ -10,6 +10,7 @@ Plot basisPlot(const Box& box, const ParameterAxis& axis, const BasisContent& co
     plot.pane = Pane::basis;
     plot.box = box;
     plot.joinsBelow = !namesBelow;
+    plot.joinsAbove = content.joinsAbove;
     const double below = namesBelow ? 28 : plotMargins.bottom;
     plot.area = inside(box, {0, plotMargins.top + 6, 0, below});
     plot.area.x = axis.left;

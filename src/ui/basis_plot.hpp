@@ -8,6 +8,7 @@ namespace knotwork::ui {
 struct BasisContent {
     Interval values;            ///< from the least to the greatest value drawn
     std::vector<double> knots;  ///< drawn as light verticals; ascending
+    bool joinsAbove = false;    ///< whether the plot straight above has the same axis
 };
 
 [[nodiscard]] Plot basisPlot(const Box& box, const ParameterAxis& axis,

@@ -12,6 +12,8 @@ namespace {
 constexpr double leastRow = 40;     // two ticks and a name
 constexpr double namesBelow = 28;   // of the ticks, under the last row
 constexpr double titleHeight = 26;
+constexpr double legendLine = 19;
+constexpr double sample = 30;       // of a line in the legend
 constexpr double gap = 20;          // between rows
 constexpr double air = 0.06;        // above and below a derivative, of its range
 constexpr double bShare = 1.8;      // B's row against a derivative's
@@ -52,6 +54,21 @@ void name(Plot& plot, std::size_t order, const Theme& colours) {
                            Baseline::top, 13, true, colours.text});
 }
 
+/// A sample of each line with its name and order.
+void addLegend(Plot& plot, const Box& box, const BFunctionContent& content, const Theme& colours) {
+    double y = box.y + plotMargins.top + legendLine / 2 - 2;
+    for (const BFunctionEntry& entry : content.compared) {
+        Lines line{{}, entry.colour, 2, entry.dashed};
+        const double x = plot.area.x;
+        line.add(plot.map.fromPixels({x, y}), plot.map.fromPixels({x + sample, y}));
+        plot.over.push_back(std::move(line));
+        plot.labels.push_back({entry.name + ": " + orderText(content.orderWords, entry.order),
+                               {x + sample + 9, y}, Align::left, Baseline::middle, 12, false,
+                               colours.text});
+        y += legendLine;
+    }
+}
+
 }  // namespace
 
 std::string orderText(std::string words, const std::array<double, 2>& order) {
@@ -87,7 +104,10 @@ Interval rowInterval(const Interval& values) noexcept {
 
 std::vector<Plot> bFunctionPlots(const Box& box, const BFunctionContent& content,
                                  const Theme& colours) {
-    const Box column = inside(box, {plotMargins.left, plotMargins.top + titleHeight,
+    const double title = content.compared.empty()
+                             ? titleHeight
+                             : legendLine * static_cast<double>(content.compared.size()) + 8;
+    const Box column = inside(box, {plotMargins.left, plotMargins.top + title,
                                     plotMargins.right, namesBelow});
     const std::size_t rows = rowsIn(column.height, content.values.size());
     const double unit = rowHeight(column.height, rows);
@@ -106,6 +126,10 @@ std::vector<Plot> bFunctionPlots(const Box& box, const BFunctionContent& content
         name(plot, k, colours);
     }
     nameTicksX(plots.back(), niceTicks({0, 1}, ticksAcross(column.width)), colours);
+    if (!content.compared.empty()) {
+        addLegend(plots.front(), box, content, colours);
+        return plots;
+    }
     plots.front().labels.push_back({orderText(content.orderWords, content.order),
                                     {column.right(), box.y + plotMargins.top + titleHeight / 2 - 3},
                                     Align::right, Baseline::middle, 12, false, colours.text});

@@ -12,10 +12,19 @@
 
 namespace knotwork::ui {
 
+/// One of several B-functions in the same rows.
+struct BFunctionEntry {
+    std::string name;
+    Colour colour;
+    bool dashed = false;
+    std::array<double, 2> order{0, 0};
+};
+
 struct BFunctionContent {
     std::vector<Interval> values;  ///< row k: extent of the k-th derivative
     std::array<double, 2> order{0, 0};  ///< Hermite order at 0 and at 1, infinity allowed
     std::string orderWords = "order {0} at 0, {1} at 1";
+    std::vector<BFunctionEntry> compared{};  ///< a line each of a legend, in place of the order
 };
 
 /// The words with the two orders in their places: `order 2 at 0, ∞ at 1`.

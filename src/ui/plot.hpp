@@ -9,6 +9,7 @@
 #include "ui/plane_map.hpp"
 #include "ui/theme.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,7 @@ struct Plot {
     Pane pane = Pane::curve;
     int index = -1;  ///< only the shapes with this index, or all of the pane
     int object = -1; ///< only the shapes of this object, or all of them
+    std::vector<int> besides{};  ///< objects that are compared with it
     Box box;         ///< what is painted, labels included
     Box area;        ///< where the axes' intervals lie
     PlaneMap map;
@@ -66,7 +68,8 @@ struct Plot {
 
     [[nodiscard]] bool shows(const Shape& shape) const noexcept {
         return shape.pane == pane && (index < 0 || shape.index == index) &&
-               (object < 0 || shape.object == object);
+               (object < 0 || shape.object == object ||
+                std::find(besides.begin(), besides.end(), shape.object) != besides.end());
     }
 };
 
