@@ -131,6 +131,12 @@ export class Curve extends Held {
         return { t: core.number(0), point: found, distance: core.number(4) };
     }
 
+    /** Where a line in the plane crosses it and its control polygon. @param {ArrayLike<number>} place @param {ArrayLike<number>} direction */
+    crossings(place, direction) {
+        const line = { point: [...point(place, 'point')], direction: [...point(direction, 'direction')] };
+        return ask(this, 'crossings', line);
+    }
+
     /** The smallest sphere around all of it. */
     enclosingSphere() {
         const { core, handle } = Held.of(this);

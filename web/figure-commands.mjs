@@ -2,7 +2,7 @@
 
 /**
  * @typedef {Pick<import('./figure.mjs').Figure, 'undo' | 'redo' | 'reset' | 'fit' | 'seek' | 'setPlaying' |
- *     'playing' | 'moves' | 'host' | 'toggleExpert' | 'toggleValues' | 'selectFirst'>} Commanded
+ *     'playing' | 'moves' | 'host' | 'panes' | 'toggleExpert' | 'toggleValues' | 'selectFirst'>} Commanded
  */
 
 /**
@@ -19,6 +19,7 @@ export function buttonActions(figure) {
         toggleExpert: () => figure.toggleExpert(),
         toggleValues: () => figure.toggleValues(),
         nextTheme: () => figure.host.nextTheme(),
+        togglePanes: () => figure.panes.toggle(),
         seek: (phase) => figure.seek(phase),
     };
 }

@@ -11,6 +11,8 @@ import { ValuesPanel } from './values-panel.mjs';
  * @property {() => any} kw undefined until the module is there
  * @property {(command: any, final: boolean) => any} run
  * @property {(step: number) => void} setStep of the arrow keys
+ * @property {(words: import('./words.mjs').Words, button: HTMLButtonElement | undefined, seams: boolean) => void}
+ *     dressPanes the menu of panes belongs to this button from now on
  * @property {(step: { source: string, frame: number, frames: number }) => void} stepped
  */
 
@@ -53,6 +55,7 @@ export class FigureControls {
         this.#panel = this.#makePanel(wishes);
         if (this.#panel) this.parts.column.after(this.#panel.element);
         this.#showPanel();
+        this.host.dressPanes(words, this.#toolbar.button('panes'), ['full', 'values'].includes(controls));
     }
 
     toggleValues() {

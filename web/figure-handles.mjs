@@ -8,7 +8,7 @@ import { heldName, heldValues } from './figure-sentences.mjs';
  * What is selected, as App::held tells it.
  * @typedef {object} Held
  * @property {string} path
- * @property {'point' | 'knot' | 'pose'} kind
+ * @property {'point' | 'knot' | 'pose' | 'line'} kind
  * @property {number} number
  * @property {number} count
  * @property {[number, number]} pixel
@@ -155,6 +155,6 @@ function layOutSlider(slider, value, step) {
 /** @param {Held} held */
 function coordinatesOf({ kind, value, spatial }) {
     if (kind === 'knot') return [value];
-    if (kind === 'point') return value;
+    if (kind === 'point' || kind === 'line') return value;
     return value.translate.slice(0, spatial ? 3 : 2);
 }

@@ -1,5 +1,7 @@
 // What is selected and what a command did, in sentences to be read aloud.
 
+import { bare } from './shape.mjs';
+
 /** @typedef {import('./figure-handles.mjs').Held} Held */
 /** @typedef {import('./words.mjs').Words} Words */
 
@@ -12,7 +14,13 @@ export function heldName(words, held) {
     const { number, count } = held;
     const row = /\[(\d+)\]\[(\d+)\]$/.exec(held.path);
     if (row) return words.text('held.net', { number, count, row: Number(row[1]) + 1, column: Number(row[2]) + 1 });
+    if (held.kind === 'line') return words.text(`held.${lineNoun(number)}`);
     return words.text(`held.${nounOf(held)}`, { number, count });
+}
+
+/** @param {number} number of its point or of its direction */
+function lineNoun(number) {
+    return number === 1 ? 'line-point' : 'line-direction';
 }
 
 /** @param {{ kind: string, path: string, local?: any }} held */
@@ -28,7 +36,7 @@ function nounOf({ kind, path, local }) {
  */
 export function heldValues(words, { kind, value, spatial }) {
     if (kind === 'knot') return `t ${words.number(value)}`;
-    if (kind === 'point') return coordinates(words, value);
+    if (kind === 'point' || kind === 'line') return coordinates(words, value);
     const { translate, angle, scale } = value;
     const parts = [coordinates(words, translate.slice(0, spatial ? 3 : 2))];
     if (angle !== 0) parts.push(words.text('held.turned', { degrees: Math.round(angle * 180 / Math.PI) }));
@@ -54,12 +62,15 @@ export function coordinates(words, point) {
  * @param {{ source: string, command: any, what?: string }} change
  * @param {any} document after it
  * @param {string} shape the sentence about what there is now
+ * @param {any} kw
  */
-export function doneSentence(words, { command, what }, document, shape) {
+export function doneSentence(words, { command, what }, document, shape, kw) {
     if (what === 'undo' || command?.undo) return words.text('said.undone', { shape });
     if (what === 'redo' || command?.redo) return words.text('said.redone', { shape });
     if (!command) return shape;
-    if (typeof command.move === 'string') return movedSentence(words, command.move, document, shape);
+    const panes = panesIn(command);
+    if (panes) return words.text('said.shown', { panes: panes.map((name) => words.text(`pane.${name}`)).join(', ') });
+    if (typeof command.move === 'string') return movedSentence(words, command.move, document, shape, kw);
     if (command.insertKnot) return words.text('said.knot-inserted', { at: command.insertKnot.at, shape });
     for (const done of ['insert', 'remove']) {
         const place = placeOf(command[done]);
@@ -74,14 +85,43 @@ export function doneSentence(words, { command, what }, document, shape) {
  * @param {string} path
  * @param {any} document
  * @param {string} shape
+ * @param {any} kw
  */
-function movedSentence(words, path, document, shape) {
+function movedSentence(words, path, document, shape, kw) {
     const place = placeOf(path);
     const value = place && valueAt(document, path);
     if (!place || value === undefined) return shape;
     const name = nameOf(words, place);
     if (typeof value === 'number') return words.text('said.knot-moved', { name, value, shape });
-    return words.text('said.moved', { name, value: coordinates(words, value) });
+    const moved = words.text('said.moved', { name, value: coordinates(words, value) });
+    const object = document.objects[Number(/^objects\[(\d+)\]/.exec(path)?.[1])];
+    const counted = crossingsOf(kw, object);
+    return counted ? `${moved} ${words.text('crossings.said', counted)}` : moved;
+}
+
+/**
+ * How often an object's line crosses its curve and its polygon, where it is there to be counted.
+ * @param {any} kw
+ * @param {any} object of a canonical document
+ * @returns {{ curve: number, polygon: number } | null}
+ */
+export function crossingsOf(kw, object) {
+    if (!object?.line || !object.show.crossings) return null;
+    const made = kw.curve(bare(object));
+    try {
+        const { curve, polygon } = made.crossings(...object.line);
+        return { curve: curve.length, polygon: polygon.length };
+    } catch {
+        return null;  // an object without a control polygon
+    } finally {
+        made.dispose();
+    }
+}
+
+/** The panes that a command asks for. @param {any} command @returns {string[] | null} */
+function panesIn(command) {
+    const one = [command, ...command.all ?? []].find(({ set }) => set === 'view.panes');
+    return one?.value ?? null;
 }
 
 /**
@@ -112,6 +152,7 @@ function placeOf(path) {
  * @param {{ list: string, number: number }} place
  */
 function nameOf(words, { list, number }) {
+    if (list === 'line') return words.text(`said.${lineNoun(number)}`);
     const noun = { points: 'point', vertices: 'vertex', knots: 'knot' }[list];
     return noun ? words.text(`said.${noun}`, { number }) : words.text('said.element', { number });
 }

@@ -1,5 +1,6 @@
 // The look of a figure, in its shadow tree. A constructed style sheet passes the strictest policy.
 
+import { panesMenu, seams } from './figure-panes-style.mjs';
 import { tokens } from './tokens.mjs';
 
 const layout = `
@@ -64,6 +65,7 @@ const layout = `
 .clicks-hint { color: var(--quiet); padding-inline-end: 0.25rem; }
 .quiet-button[aria-pressed="true"]:is(*, :hover) { background: var(--accent); border-color: var(--accent);
     color: var(--on-accent); }
+${seams}
 .fallback { position: absolute; inset: 0; display: grid; place-content: center; padding: 1.5rem;
     text-align: center; color: var(--quiet); overflow: auto; pointer-events: none; }
 .fallback p { margin: 0; }
@@ -148,6 +150,9 @@ input[type="range"]::-webkit-slider-thumb { appearance: none; -webkit-appearance
 input[type="range"]::-moz-range-thumb { width: 12px; height: 12px; border-radius: 50%;
     border: 2px solid var(--ground); background: var(--accent); box-shadow: 0 0 0 1px var(--accent); }
 input[type="range"]:disabled { opacity: 0.5; cursor: default; }
+@container (max-width: 26rem) {
+    .toolbar { column-gap: 0; padding-inline: 0.25rem; }
+}
 @container (max-width: 32rem) {
     .motion { flex-basis: 100%; max-width: none; }
     .spring { display: none; }
@@ -278,6 +283,12 @@ td.removal { width: 32px; }
 .legend { display: flex; flex-wrap: wrap; gap: 0.125rem 1rem; margin: 0 0 0.5rem; padding: 0; list-style: none; font-size: 0.8125rem; }
 .legend li { display: flex; align-items: center; gap: 0.5rem; }
 .sample { width: 32px; height: 6px; fill: none; stroke-width: 3; }
+.axiom-table { margin-block: 0.25rem 0.5rem; }
+.axiom-table :is(td:first-child, th[scope="row"]) { width: 52%; }
+.axiom-table th[scope="row"] { text-align: start; font-size: 0.875rem; color: var(--ink); padding-block: 0.1875rem; }
+.axiom-table th[scope="row"] b { display: inline-block; min-width: 1.75rem; font-weight: 600; }
+.axiom-table th[scope="col"] { text-align: center; overflow-wrap: anywhere; }
+.axiom-table :is(td, .mark) { margin-inline: auto; }
 .trying { flex-wrap: wrap; }
 .adding.trying input { flex: 1 1 9rem; width: auto; }
 .adding select { flex: 1; }
@@ -327,7 +338,7 @@ let sheet;
 export function figureSheet() {
     if (!sheet) {
         sheet = new CSSStyleSheet();
-        sheet.replaceSync(layout + toolbar + trace + values + circumstances);
+        sheet.replaceSync(layout + toolbar + panesMenu + trace + values + circumstances);
     }
     return sheet;
 }

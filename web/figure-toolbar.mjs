@@ -14,6 +14,7 @@ import { icons } from './icons.mjs';
  * @property {() => void} toggleExpert
  * @property {() => void} toggleValues
  * @property {() => void} nextTheme
+ * @property {() => void} togglePanes
  * @property {(phase: number) => void} seek
  */
 
@@ -34,8 +35,8 @@ import { icons } from './icons.mjs';
  * @type {Record<string, string[]>}
  */
 const sets = {
-    full: ['play', 'undo', 'redo', 'reset', 'fit', 'expert', 'theme', 'values'],
-    values: ['play', 'undo', 'redo', 'reset', 'fit', 'values'],
+    full: ['play', 'undo', 'redo', 'reset', 'fit', 'panes', 'expert', 'theme', 'values'],
+    values: ['play', 'undo', 'redo', 'reset', 'fit', 'panes', 'values'],
     minimal: ['play', 'undo', 'redo', 'reset'],
     none: [],
 };
@@ -70,8 +71,13 @@ export class FigureToolbar {
             class: 'toolbar',
             attributes: { role: 'group', 'aria-label': words.text('controls') },
         }, this.motion, el('span', { class: 'spring' }),
-        ...['undo', 'redo', 'reset', 'fit', 'theme', 'expert', 'values'].map(add));
+        ...['undo', 'redo', 'reset', 'fit', 'theme', 'panes', 'expert', 'values'].map(add));
         this.element.hidden = sets[options.controls].length === 0;
+    }
+
+    /** @param {string} name */
+    button(name) {
+        return this.#buttons.get(name);
     }
 
     /** @param {Status} status */
@@ -149,7 +155,7 @@ export class FigureToolbar {
  * @param {string} name
  */
 function wantedIn({ controls, readOnly, ownTheme }, name) {
-    if (readOnly && ['undo', 'redo', 'expert'].includes(name)) return false;
+    if (readOnly && ['undo', 'redo', 'panes', 'expert'].includes(name)) return false;
     if (name === 'theme' && !ownTheme) return false;
     return sets[controls].includes(name);
 }
@@ -168,6 +174,7 @@ function listeners(actions) {
         expert: actions.toggleExpert,
         values: actions.toggleValues,
         theme: actions.nextTheme,
+        panes: actions.togglePanes,
     };
 }
 

@@ -6,6 +6,7 @@ import { Changes } from './figure-changes.mjs';
 import { buttonActions, pressKey } from './figure-commands.mjs';
 import { FigureControls } from './figure-controls.mjs';
 import { dressView, joinHands } from './figure-joining.mjs';
+import { FigurePanes } from './figure-panes.mjs';
 import { Announcer, makeParts, watch } from './figure-parts.mjs';
 import { Playback } from './figure-playback.mjs';
 import { doneSentence } from './figure-sentences.mjs';
@@ -76,10 +77,21 @@ export class Figure {
         this.host = host;
         root.adoptedStyleSheets = [figureSheet()];
         root.replaceChildren(this.#parts.frame);
+        const run = (/** @type {any} */ command, final = true) => this.#changes.run(this.#scene, command, final);
+        this.panes = new FigurePanes(this.#parts, {
+            run,
+            selected: () => this.selection?.object ?? -1,
+            panes: () => this.#stage?.app.panes(this.view.id) ?? '',
+            moveSeam: (name, share) => {
+                this.#stage?.app.moveSeam(this.view.id, name, share);
+                this.#request();
+            },
+        });
         this.controls = new FigureControls(this.#parts, {
             actions: buttonActions(this),
             kw: () => this.kw,
-            run: (command, final) => this.#changes.run(this.#scene, command, final),
+            run,
+            dressPanes: (words, button, seams) => this.panes.dress(words, button, seams),
             setStep: (step) => {
                 this.#stage?.app.setStep(this.view.id, step);
                 this.#follow();
@@ -293,6 +305,7 @@ export class Figure {
 
     #painted() {
         this.#parts.fallback.hidden = true;
+        this.panes.follow();
         this.#sight.painted();
     }
 
@@ -325,6 +338,7 @@ export class Figure {
         if (!scene) return;
         this.#refreshToolbar();
         this.controls.showScene(scene);
+        this.panes.update(scene);
         if (scene.revision === this.#toldRevision) return;
         const opened = this.#toldRevision < 0;
         this.#toldRevision = scene.revision;
@@ -332,7 +346,7 @@ export class Figure {
         const sentence = describe(this.#parts, this.host.wishes(), scene, document, this.#sceneName);
         const step = this.controls.showTrace(document, this.selection?.object ?? -1);
         if (opened) return;
-        this.#announcer.say(step || doneSentence(this.host.wishes().words, this.#changes.last, document, sentence));
+        this.#announcer.say(step || doneSentence(this.host.wishes().words, this.#changes.last, document, sentence, this.kw));
     }
 
     #refreshToolbar() {

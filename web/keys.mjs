@@ -37,6 +37,7 @@ export const mouseGestures = [
     { how: 'help.mouse.drag', does: 'help.mouse.drag.does' },
     { how: 'help.mouse.empty', does: 'help.mouse.empty.does' },
     { how: 'help.mouse.space', does: 'help.mouse.space.does' },
+    { how: 'help.mouse.seam', does: 'help.mouse.seam.does' },
     { how: 'help.mouse.right', does: 'help.mouse.right.does' },
     { how: 'help.mouse.wheel', does: 'help.mouse.wheel.does' },
     { how: 'help.mouse.drop', does: 'help.mouse.drop.does' },

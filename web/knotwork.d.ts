@@ -361,6 +361,12 @@ export interface Curve extends Disposable {
     length(a?: number, b?: number): number;
     /** The nearest point of the curve; of several the one with the smallest parameter. */
     closestPoint(p: Point): { t: number; point: Point3; distance: number };
+    /**
+     * Where a line in the plane z = 0 (in space the plane that is upright on it) crosses the curve and
+     * its control polygon: of B-spline, Bézier and subdivision curves, other curves are `NOT_SUPPORTED`.
+     * Contact is no crossing. Of a spline the curve has at most as many as the polygon.
+     */
+    crossings(point: Point, direction: Point): { curve: { t: number; point: Point3 }[]; polygon: Point3[] };
     /** The smallest sphere around all of the curve. */
     enclosingSphere(): { center: Point3; radius: number };
     /** The parameter at which the length from the start is s: the inverse of length(). */
@@ -864,7 +870,7 @@ export interface TraceFrame {
 
 export interface SceneView {
     mode?: '2d' | '3d';
-    /** Default all but the hodograph. */
+    /** Default all but hodograph and curvature. */
     panes?: readonly Pane[];
     /** Without a centre and a height all is fitted; the angles, in radians, are those of a 3D view. */
     camera?: { center?: Point; height?: number; azimuth?: number; elevation?: number };
@@ -912,17 +918,29 @@ export interface BFunctionGraphSpec {
 
 export type Shown =
     | 'curve' | 'surface' | 'isolines' | 'wireframe' | 'polygon' | 'points' | 'knots' | 'locals' | 'handles'
-    | 'basis' | 'bFunction' | 'comb' | 'hodograph' | 'osculating' | 'hull' | 'frames' | 'sphere' | 'residuals'
-    | 'labels';
+    | 'basis' | 'bFunction' | 'comb' | 'hodograph' | 'curvature' | 'osculating' | 'hull' | 'frames' | 'sphere'
+    | 'crossings' | 'residuals' | 'labels';
 
 export type SceneObject = (CurveSpec | SurfaceSpec | SubdivisionSurfaceSpec | PointCloudSpec | BFunctionGraphSpec) & {
     id?: string;
     /** `opacity` from 0 to 1; `colourBy` says what the colours of a surface show. */
-    style?: { colour?: string; width?: number; opacity?: number; colourBy?: 'colour' | 'gaussian' | 'mean' };
+    style?: {
+        colour?: string;
+        width?: number;
+        opacity?: number;
+        colourBy?: 'colour' | 'gaussian' | 'mean';
+        /** The curve, and so its B-function. */
+        dashed?: boolean;
+    };
     show?: Partial<Record<Shown, boolean>>;
     /** Where the curve is measured; the middle of its domain if it is left out. */
     t?: number;
     trace?: ShownTrace;
+    /**
+     * A point and the direction of a line whose crossings with the curve and its control polygon are
+     * counted where `show.crossings` asks for it; through the middle if it is left out then.
+     */
+    line?: readonly [Point, Point];
 };
 
 /** A step of an algorithm that works on objects of this type, as kw.trace() has it. */
@@ -1035,14 +1053,17 @@ export type Command = { gesture?: string; selection?: readonly string[] } & (
     | { all: readonly SingleCommand[] }
 );
 
-export type Pane = 'curve' | 'basis' | 'knots' | 'bFunction' | 'hodograph';
+export type Pane = 'curve' | 'basis' | 'knots' | 'bFunction' | 'hodograph' | 'curvature';
 
 export interface Shape {
     /** The id of the object it belongs to. */
     object: string;
     role: string;
     kind: 'polyline' | 'points' | 'triangles' | 'label';
-    /** Positions in `hodograph` are first derivatives; in the panes of plots x is the parameter. */
+    /**
+     * Positions in `hodograph` are first derivatives; in the panes of plots x is the parameter, in
+     * `curvature` y is the curvature.
+     */
     pane: Pane;
     /** Which basis function, local curve or order of derivative. */
     index: number;

@@ -46,6 +46,8 @@ import { makeApi } from './api.mjs';
  * @property {(id: number, step: number) => void} setStep
  * @property {(id: number, dx: number, dy: number, dz: number) => boolean} shift
  * @property {(id: number, x: number, y: number, how: string) => boolean} place
+ * @property {(id: number) => string} panes
+ * @property {(id: number, name: string, share: number) => boolean} moveSeam
  * @property {() => string} stats
  * @property {() => void} delete
  */

@@ -104,7 +104,7 @@ function moment({ phase, time }) {
 }
 
 /** In the order of their bits. */
-const paneNames = ['curve', 'basis', 'knots', 'bFunction', 'hodograph'];
+const paneNames = ['curve', 'basis', 'knots', 'bFunction', 'hodograph', 'curvature'];
 
 /** Which panes are drawn, all where nothing is said. @param {unknown} panes */
 function paneBits(panes) {

@@ -92,6 +92,6 @@ export function localCount(object) {
  * @param {any} object of a canonical document
  */
 export function bare(object) {
-    const { id, style, show, t, trace, ...spec } = object;
+    const { id, style, show, t, trace, line, ...spec } = object;
     return spec;
 }

@@ -1,10 +1,10 @@
 // The axioms of a B-function as a live checklist, a formula to try them on, and a second B-function
-// to compare with.
+// to compare with: the picture shows both curves and both functions, here are the axioms of both.
 
 import { el, icon, setText, uniqueId } from './dom.mjs';
 import { icons } from './icons.mjs';
 import { Complaint } from './values-fields.mjs';
-import { graphsOf } from './values-graphs.mjs';
+import { comparedOf, graphsOf } from './values-graphs.mjs';
 
 /** @typedef {import('./values-fields.mjs').Surroundings} Surroundings */
 /** @typedef {{ axiom: string, holds: boolean, t?: number | null, found?: number | null }} Verdict */
@@ -12,6 +12,8 @@ import { graphsOf } from './values-graphs.mjs';
 export class AxiomsSection {
     #spec = '';
     #graphed = '';
+    /** @type {string[]} */
+    #panes = [];
     /** As the canonical document has it. @type {any} */
     #object = null;
 
@@ -38,11 +40,12 @@ export class AxiomsSection {
 
     /**
      * @param {any} object as the canonical document has it
-     * @param {any[]} objects all of its scene
+     * @param {any} document that it stands in
      */
-    update(object, objects) {
+    update(object, document) {
         this.#object = object;
-        if (object.type !== 'b-function') this.#showGraphs(objects);
+        this.#panes = document.view.panes;
+        if (object.type !== 'b-function') this.#showGraphs(document.objects);
         const spec = JSON.stringify(object.bFunction);
         if (spec === this.#spec) return;
         this.#spec = spec;
@@ -65,11 +68,12 @@ export class AxiomsSection {
 
     /** @param {any[]} objects */
     #showGraphs(objects) {
-        const shown = JSON.stringify(objects.map(({ id, bFunction, style }) => [id, bFunction, style?.colour]));
+        const shown = JSON.stringify(objects.map(({ id, bFunction, style }) => [id, bFunction, style?.colour, style?.dashed]));
         if (shown === this.#graphed) return;
         this.#graphed = shown;
-        const graphs = graphsOf(this.around.words, this.kw, objects);
-        this.graphs.replaceChildren(...(graphs ? [graphs] : []));
+        const { words } = this.around;
+        const graphs = graphsOf(words, this.kw, objects);
+        this.graphs.replaceChildren(...(graphs ? [graphs, axiomTable(words, this.kw, comparedOf(objects))] : []));
     }
 
     #makeComparing() {
@@ -88,7 +92,8 @@ export class AxiomsSection {
 
     /** @param {string} family @param {HTMLElement} button */
     #compare(family, button) {
-        const refusal = this.around.run(comparison(this.#object, { family }), true);
+        const command = comparison(this.#object, this.around.address, this.#panes, { family });
+        const refusal = this.around.run(command, true);
         if (refusal) this.complaint.show(button, this.around.words.refusal(refusal));
         else this.complaint.clear(button);
     }
@@ -98,13 +103,44 @@ export class AxiomsSection {
 const colours = ['#d55e00', '#0072b2', '#009e73', '#cc79a7'];
 
 /**
- * What puts the same object under another B-function beside it; it gets an id of its own.
- * @param {any} object
+ * What puts the same object under another B-function beside it, with an id of its own, and both
+ * functions into the pane of B-functions.
+ * @param {any} own object
+ * @param {string} address of it
+ * @param {string[]} panes
  * @param {any} bFunction
  */
-function comparison({ id, ...object }, bFunction) {
+function comparison(own, address, panes, bFunction) {
+    const { id, ...object } = own;
     const colour = colours.find((other) => other !== object.style?.colour);
-    return { add: { ...object, bFunction, style: { ...object.style, colour } } };
+    const style = { ...object.style, colour, dashed: !object.style?.dashed };
+    const all = [{ add: { ...object, bFunction, style, show: { ...object.show, bFunction: true } } }];
+    if (!own.show.bFunction) all.push(/** @type {any} */ ({ set: `${address}.show.bFunction`, value: true }));
+    if (!panes.includes('bFunction')) all.push(/** @type {any} */ ({ set: 'view.panes', value: [...panes, 'bFunction'] }));
+    return all.length > 1 ? { all } : all[0];
+}
+
+/**
+ * A column for each function, a row for each axiom.
+ * @param {import('./words.mjs').Words} words
+ * @param {any} kw
+ * @param {any[]} objects that are compared
+ */
+function axiomTable(words, kw, objects) {
+    /** @type {Verdict[][]} */
+    const verdicts = objects.map(({ bFunction }) => kw.axioms(bFunction));
+    const names = objects.map(({ id }) => el('th', { text: id, attributes: { scope: 'col' } }));
+    const rows = verdicts[0].map(({ axiom }, k) => el('tr', {},
+        el('th', { attributes: { scope: 'row' } }, el('b', { text: axiom }), ` ${words.text(`axiom.${axiom}`)}`),
+        ...verdicts.map((list) => el('td', {}, verdictMark(words, list[k].holds)))));
+    return el('table', { class: 'axiom-table', attributes: { 'aria-label': words.text('axioms.compared') } },
+        el('thead', {}, el('tr', {}, el('td'), ...names)), el('tbody', {}, ...rows));
+}
+
+/** A mark that does not rely on colour. @param {import('./words.mjs').Words} words @param {boolean} holds */
+function verdictMark(words, holds) {
+    return el('span', { class: 'mark', attributes: { 'data-holds': String(holds) } },
+        icon(holds ? icons.holds : icons.remove), el('span', { class: 'aside', text: words.text(holds ? 'axioms.holds' : 'axioms.fails') }));
 }
 
 /**
@@ -116,10 +152,8 @@ function comparison({ id, ...object }, bFunction) {
 function checklist(words, verdicts, name) {
     const items = verdicts.map((verdict) => {
         const { axiom, holds } = verdict;
-        const mark = el('span', { class: 'mark', attributes: { 'data-holds': String(holds) } },
-            icon(holds ? icons.holds : icons.remove), el('span', { class: 'aside', text: words.text(holds ? 'axioms.holds' : 'axioms.fails') }));
         const detail = holds ? '' : breach(words, verdict);
-        return el('li', {}, mark, el('b', { text: axiom }),
+        return el('li', {}, verdictMark(words, holds), el('b', { text: axiom }),
             el('span', { text: words.text(`axiom.${axiom}`) }), detail ? el('span', { class: 'breach', text: detail }) : null);
     });
     const label = name ? `${words.text('axioms')}, ${name}` : words.text('axioms');

@@ -14,28 +14,45 @@ const dashes = ['', '7 4', '2 4', '9 4 2 4'];  // so that colour is not all that
  * @param {any[]} objects of a canonical document
  */
 export function graphsOf(words, kw, objects) {
-    const blending = objects.filter(({ type, bFunction }) => type !== 'b-function' && bFunction && !Array.isArray(bFunction));
-    const shown = blending.slice(0, dashes.length);
-    if (new Set(shown.map(({ bFunction }) => JSON.stringify(bFunction))).size < 2) return null;
+    const shown = comparedOf(objects);
+    if (shown.length < 2) return null;
+    const pens = pensOf(shown);
     const labels = new Map(kw.bFunctions.map((/** @type {any} */ { family, label }) => [family, label]));
     const nameOf = (/** @type {any} */ { id, bFunction }) => `${id}: ${words.label(labels.get(bFunction.family) ?? bFunction.family)}`;
     const title = uniqueId('graphs');
     const picture = svg('svg', {
         viewBox: `0 0 ${size.width} ${size.height}`, role: 'img', class: 'graph', 'aria-labelledby': title,
-    }, frame(), ...shown.map((object, k) => graph(kw, object, k)));
+    }, frame(), ...shown.map((object, k) => graph(kw, object, pens[k])));
     const legend = el('ul', { class: 'legend', attributes: { id: title } }, ...shown.map((object, k) =>
         el('li', {}, svg('svg', { viewBox: '0 0 32 6', class: 'sample', 'aria-hidden': 'true' },
-            svg('path', { d: 'M0 3H32', ...pen(object, k) })), nameOf(object))));
+            svg('path', { d: 'M0 3H32', ...pens[k] })), nameOf(object))));
     return el('div', { class: 'graphs' }, picture, legend);
 }
 
-/** @param {any} kw @param {any} object @param {number} k */
-function graph(kw, object, k) {
+/**
+ * The first object of each B-function, as many as can be told apart.
+ * @param {any[]} objects of a canonical document
+ */
+export function comparedOf(objects) {
+    const firsts = new Map();
+    for (const object of objects) {
+        const { type, bFunction } = object;
+        if (type === 'b-function' || !bFunction || Array.isArray(bFunction)) continue;
+        const spec = JSON.stringify(bFunction);
+        if (!firsts.has(spec)) firsts.set(spec, object);
+    }
+    return [...firsts.values()].slice(0, dashes.length);
+}
+
+/** @typedef {{ stroke: string, 'stroke-dasharray': string | null }} Pen */
+
+/** @param {any} kw @param {any} object @param {Pen} pen */
+function graph(kw, object, pen) {
     const b = kw.bFunction(object.bFunction);
     const values = b.sample(samples);
     b.dispose();
     const points = Array.from(values, (value, i) => place(i / (samples - 1), value));
-    return svg('path', { d: `M${points.join('L')}`, ...pen(object, k) });
+    return svg('path', { d: `M${points.join('L')}`, ...pen });
 }
 
 function frame() {
@@ -50,9 +67,17 @@ function place(t, value) {
     return `${x.toFixed(2)} ${y.toFixed(2)}`;
 }
 
-/** @param {any} object @param {number} k */
-function pen({ style }, k) {
-    return { stroke: style?.colour ?? '#2b6cb0', 'stroke-dasharray': dashes[k] || null };
+/**
+ * As in the picture; where all are drawn alike, dashes that the picture has not.
+ * @param {any[]} objects
+ * @returns {Pen[]}
+ */
+function pensOf(objects) {
+    const told = objects.some(({ style }) => style?.dashed);
+    return objects.map(({ style }, k) => {
+        const dash = told ? dashes[style?.dashed ? 1 : 0] : dashes[k];
+        return { stroke: style?.colour ?? '#2b6cb0', 'stroke-dasharray': dash || null };
+    });
 }
 
 /**

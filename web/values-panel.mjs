@@ -53,7 +53,7 @@ export class ValuesPanel {
         if (structure !== this.#structure) this.#build(objects);
         this.#structure = structure;
         const { document } = scene;
-        objects.forEach((object, k) => this.#sections[k].update(object, document.objects[k], document.objects));
+        objects.forEach((object, k) => this.#sections[k].update(object, document.objects[k], document));
     }
 
     /** Opens the fields of the object that has been selected. @param {number} index */
@@ -136,10 +136,10 @@ class ObjectSection {
     /**
      * @param {ObjectDescription} object
      * @param {any} spec of the object in the canonical document
-     * @param {any[]} all objects of the canonical document
+     * @param {any} document canonical
      */
-    update(object, spec, all) {
-        this.told = [object, spec, all];
+    update(object, spec, document) {
+        this.told = [object, spec, document];
         if (this.isOpen) this.#show();
     }
 
@@ -153,10 +153,10 @@ class ObjectSection {
 
     #show() {
         if (!this.told || !this.isOpen) return;
-        const [object, spec, all] = this.told;
+        const [object, spec, document] = this.told;
         for (const field of object.fields) this.controls.get(field.path)?.update(field);
         setText(this.shape, shapeSentence(this.host.words, spec, this.label));
-        if (spec.bFunction) this.axioms?.update(spec, all);
+        if (spec.bFunction) this.axioms?.update(spec, document);
         this.trace.update(spec);
         this.readout.update(spec);
     }

@@ -1,6 +1,7 @@
 // The readout of an object: what the curve is, and where it stands at a parameter that one can move.
 
 import { el, setText, uniqueId } from './dom.mjs';
+import { crossingsOf } from './figure-sentences.mjs';
 import { bare, className, continuityText, localCount, pointCount } from './shape.mjs';
 import { NumberInput } from './values-number.mjs';
 
@@ -84,6 +85,7 @@ export class Readout {
                 ...this.#ofAnyCurve(curve),
                 ...this.#ofBspline(spec, curve),
                 ...this.#ofBlending(spec),
+                ...this.#ofLine(),
             ];
         } finally {
             curve.dispose();
@@ -150,6 +152,12 @@ export class Readout {
             ['readout.continuity', className(this.words, Math.min(start, end))],
             ['readout.symmetric', this.words.text(yesNo)],
         ];
+    }
+
+    /** @returns {[string, string][]} */
+    #ofLine() {
+        const counted = crossingsOf(this.kw, this.#object);
+        return counted ? [['readout.crossings', this.words.text('crossings.count', counted)]] : [];
     }
 
     /** @param {number[]} numbers */

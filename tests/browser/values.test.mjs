@@ -132,11 +132,11 @@ describe('the values panel', { timeout: 300_000 }, () => {
             .querySelectorAll('.object')].map((section) => section.open));
         assert.deepEqual(await open(), [true, false]);
         assert.equal(await page.getByRole('combobox', { name: 'Family' }).count(), 1);
-        await page.getByText('expo', { exact: true }).click();
+        await page.getByRole('heading', { name: 'expo', exact: true }).click();
         await page.getByRole('spinbutton', { name: 'β, steepness' }).waitFor();
         assert.deepEqual(await open(), [true, true]);
         assert.equal(await page.getByRole('spinbutton', { name: 'β, steepness' }).inputValue(), '12');
-        await page.getByText('expo', { exact: true }).click();
+        await page.getByRole('heading', { name: 'expo', exact: true }).click();
         const [handle] = (await handlesOf(page, { to: [0.6, 1] })).filter(({ cursor }) => cursor === 'grab');
         await page.mouse.click(handle.x, handle.y);
         await page.waitForFunction(() => document.querySelector('knotwork-figure').selection?.object === 1);

@@ -161,6 +161,20 @@ test('polyline honours its tolerance or says that it cannot', () => {
     refuses(() => named('circle', { radius: 1e4 }).polyline({ tolerance: 1e-10 }), 'TOO_LARGE', 'tolerance');
 });
 
+test('crossings are those of the curve and of its control polygon', () => {
+    const wave = kw.curve({ type: 'bspline-curve', degree: 3, points: [[0, 0], [1, 3], [4, -2], [5, 3], [7, -1], [8, 4]] });
+    const { curve, polygon } = wave.crossings([0, 1], [1, 0]);
+    assert.ok(curve.length <= polygon.length && polygon.length === 5, `${curve.length} of ${polygon.length}`);
+    for (const { t, point } of curve) {
+        near(point[1], 1, 1e-12);
+        near(point, wave.point(t), 1e-14);
+    }
+    assert.deepEqual(named('circle').crossings === undefined, false);
+    refuses(() => named('circle').crossings([0, 0], [1, 0]), 'NOT_SUPPORTED', 'point');
+    refuses(() => wave.crossings([0, 0], [0, 0]), 'OUT_OF_RANGE', 'direction');
+    refuses(() => wave.crossings([0, 0], '1'), 'WRONG_TYPE', 'direction');
+});
+
 test('enclosingSphere is the smallest around the curve itself', () => {
     const expectSphere = (curve, center, radius) => {
         const sphere = curve.enclosingSphere();

@@ -13,7 +13,7 @@ const pointIn = ({ positions }, i) => Array.from(positions.subarray(3 * i, 3 * i
 const roles = ['curve', 'surface', 'wireframe', 'polygon', 'points', 'knots', 'local', 'handle', 'basis', 'bFunction',
     'comb', 'hodograph', 'hull', 'frame', 'sphere', 'residual', 'isoline', 'trace', 'label'];
 
-const everything = Object.fromEntries(['wireframe', 'locals', 'comb', 'hodograph', 'osculating', 'hull', 'frames',
+const everything = Object.fromEntries(['wireframe', 'locals', 'comb', 'hodograph', 'curvature', 'crossings', 'osculating', 'hull', 'frames',
     'sphere', 'labels'].map((flag) => [flag, true]));
 const showcase = [
     { ...spline, show: everything, trace: { algorithm: 'de-boor', frame: 2 } },
@@ -83,7 +83,7 @@ test('teeth of the comb end at C − scale κ N, whatever the scale', () => {
 
 test('only the panes that are asked for are drawn', () => {
     const scene = sceneOf(...showcase);
-    for (const panes of [['curve'], ['basis', 'knots'], ['hodograph'], []]) {
+    for (const panes of [['curve'], ['basis', 'knots'], ['hodograph'], ['curvature'], []]) {
         const found = new Set(scene.drawing({ tolerance: 0.1, panes }).shapes.map(({ pane }) => pane));
         found.forEach((pane) => assert.ok(panes.includes(pane), pane));
         panes.forEach((pane) => assert.ok(found.has(pane), pane));

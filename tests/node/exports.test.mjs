@@ -211,6 +211,34 @@ test('the hodograph stands beside the curve, x and y to one scale', () => {
     assert.deepEqual(kw.scene({ knotwork: 1, view: { panes: ['curve', 'hodograph'] } }).document.view.panes, ['curve', 'hodograph']);
 });
 
+const textsOf = (svg) => elementsOf(svg).filter(({ name }) => name === 'text').map(({ text }) => text);
+
+test('the curvature stands over the knots, with one axis and where it has no bound a mark', () => {
+    const spec = { type: 'bspline-curve', degree: 3, points: [[0, 0], [1, 3], [4, 1], [5, 5], [7, 2]] };
+    const panesOf = (scene, panes) => elementsOf(scene.svg({ panes })).flatMap(({ attributes }) => attributes['data-pane'] ?? []);
+    const scene = sceneOf({ id: 'c1', ...spec, show: { curvature: true } });
+    assert.deepEqual(panesOf(scene, ['knots', 'curvature', 'basis', 'curve']), ['curve', 'curvature', 'basis', 'knots']);
+    const plots = elementsOf(scene.svg({ panes: ['curve', 'curvature', 'knots'] })).filter(({ attributes }) => attributes.class === 'knotwork-plot');
+    assert.equal(plots[0].attributes.x, plots[1].attributes.x);
+    assert.equal(plots[0].attributes.width, plots[1].attributes.width);
+    assert.ok(Number(plots[0].attributes.y) + Number(plots[0].attributes.height) <= Number(plots[1].attributes.y));
+    assert.deepEqual(panesOf(alone(spec), ['curve', 'curvature']), ['curve']);
+    const cusps = sceneOf({ id: 'c1', type: 'parametric-curve', name: 'astroid', show: { curvature: true } });
+    assert.equal(textsOf(cusps.svg({ panes: ['curvature'] })).filter((text) => text === '\u2212\u221e').length, 5);
+});
+
+test('two B-functions stand in one plot with a legend', () => {
+    const curve = (id, family, dashed) => ({
+        id, type: 'blending-curve', bFunction: { family }, form: 'closed', locals: { count: 4 },
+        model: { type: 'parametric-curve', name: 'circle' }, style: { colour: dashed ? '#d55e00' : '#0072b2', dashed },
+    });
+    const svg = sceneOf(curve('one', 'polynomial', false), curve('two', 'linear', true)).svg({ panes: ['curve', 'bFunction'] });
+    const lines = elementsOf(svg).filter(({ name, parent }) => name === 'path' && parent.attributes['data-role'] === 'bFunction');
+    assert.equal(lines.length, 6);
+    assert.equal(lines.filter(({ attributes }) => attributes['stroke-dasharray']).length, 3);
+    assert.ok(textsOf(svg).includes('one') && textsOf(svg).includes('two'));
+});
+
 test('a picture has no more digits than can be seen', () => {
     const svg = kw.scene(kw.scenes.find(({ id }) => id === 'butterfly').document).svg();
     const paths = svg.replaceAll(/data-matrix="[^"]*"/g, '');
