@@ -233,7 +233,7 @@ export const mutants = [
         name: 'a closed curve ends: a crossing at its seam is missed',
         file: 'line_crossings.cpp',
         find: 'if (seam) joinSeam(runs, domain(curve));',
-        replace: '',
+        replace: 'if (seam && runs.empty()) joinSeam(runs, domain(curve));',
         test: 'LineCrossings.AClosedCurveIsCrossedAnEvenNumberOfTimesAlsoAtItsSeam',
     },
 ];
