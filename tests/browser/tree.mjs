@@ -15,8 +15,15 @@ function stateOf({ properties = [] }, name) {
     return [value === true || value === 'true' ? name : `${name}=${value}`];
 }
 
+/** Browsers hold numbers as floats; a field that one types in has its value as a text below it. */
+function valueOf({ role, value, valueText }) {
+    if (role.value === 'spinbutton') return '';
+    const number = value?.value;
+    return text(valueText ?? (typeof number === 'number' ? Number(number.toPrecision(6)) : number));
+}
+
 function lineOf(node) {
-    const value = text(node.properties?.find(({ name }) => name === 'valuetext')?.value?.value || node.value?.value);
+    const value = valueOf(node);
     const description = text(node.description?.value);
     return [
         node.role.value, `"${text(node.name?.value)}"`,
@@ -42,6 +49,15 @@ function linesOf(node, children, indent, parentName) {
     return [indent + lineOf(node), ...below(`${indent}  `, name)];
 }
 
+/** What sliders say instead of their numbers, which the browser's tree leaves out. */
+async function addValueTexts(devtools, nodes) {
+    for (const slider of nodes.filter(({ role }) => role?.value === 'slider')) {
+        const { node } = await devtools.send('DOM.describeNode', { backendNodeId: slider.backendDOMNodeId });
+        const at = node.attributes.indexOf('aria-valuetext');
+        if (at >= 0) slider.valueText = node.attributes[at + 1];
+    }
+}
+
 /**
  * The tree of a page, without the page itself.
  * @param {import('playwright-core').Page} page
@@ -49,6 +65,7 @@ function linesOf(node, children, indent, parentName) {
 export async function accessibilityTree(page) {
     const devtools = await page.context().newCDPSession(page);
     const { nodes } = await devtools.send('Accessibility.getFullAXTree');
+    await addValueTexts(devtools, nodes);
     await devtools.detach();
     const byId = new Map(nodes.map((node) => [node.nodeId, node]));
     const children = (node) => (node.childIds ?? []).map((id) => byId.get(id)).filter(Boolean);
