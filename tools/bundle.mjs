@@ -3,13 +3,15 @@ import { cp, mkdir, readdir, rm } from 'node:fs/promises';
 import { pathToFileURL } from 'node:url';
 
 import { writeGallery } from './bundle/gallery.mjs';
+import { writeIcons } from './bundle/icons.mjs';
 import { bundleModules } from './bundle/modules.mjs';
+import { writeOffline } from './bundle/offline.mjs';
 import { distribution, project } from './bundle/paths.mjs';
 import { writeSchema } from './bundle/schema.mjs';
 import { writeStandalone } from './bundle/standalone.mjs';
 
 /** Pages, styles and types are delivered as they are; scripts and words go through the bundler. */
-const delivered = /\.(html|css|d\.ts|svg|png)$/;
+const delivered = /\.(html|css|d\.ts|svg|png|json)$/;
 
 async function copyStaticFiles() {
     const names = (await readdir(project('web'))).filter((name) => delivered.test(name));
@@ -23,8 +25,9 @@ async function copyWasm() {
 
 await rm(distribution(), { recursive: true, force: true });
 await mkdir(distribution(), { recursive: true });
-await Promise.all([copyStaticFiles(), copyWasm(), bundleModules()]);
+await Promise.all([copyStaticFiles(), copyWasm(), bundleModules(), writeIcons()]);
 const facade = pathToFileURL(distribution('knotwork.mjs'));
 await writeSchema(facade);
 await writeGallery(facade);
 await writeStandalone();
+await writeOffline();

@@ -9,6 +9,7 @@ import { parseText } from './figure-source.mjs';
 import { openGallery } from './gallery.mjs';
 import { openHelp } from './help.mjs';
 import { acceptDrops, acceptPastes, documentOf, readFile, takesText } from './incoming.mjs';
+import { keepForOffline } from './offline.mjs';
 import { sceneButtons, themes, toolButtons } from './page-bar.mjs';
 import { remember, remembered } from './preferences.mjs';
 import { byTopic } from './topics.mjs';
@@ -296,3 +297,4 @@ async function fetchDocument(words, address) {
 }
 
 await new Page().start();
+keepForOffline();

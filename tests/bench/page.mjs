@@ -93,7 +93,7 @@ function fineTorus() {
 
 /** @param {{ browser: any, url: string }} running @param {string} address @param {object} [document] */
 async function opened({ browser, url }, address, document) {
-    const context = await browser.newContext({ viewport, locale: 'en-GB', colorScheme: 'light' });
+    const context = await browser.newContext({ viewport, locale: 'en-GB', colorScheme: 'light', serviceWorkers: 'block' });
     const page = await context.newPage();
     await page.addInitScript(observeFrames);
     await page.goto(url + address);

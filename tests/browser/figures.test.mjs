@@ -4,7 +4,7 @@ import { describe, it } from 'node:test';
 
 import { PNG } from 'pngjs';
 
-import { assertSilent, documentOf, figureReady, openPage, pictureOf, settle, useBrowser } from './support.mjs';
+import { assertSilent, documentOf, figureReady, openPage, pictureOf, settle, until, useBrowser } from './support.mjs';
 
 const running = useBrowser();
 
@@ -138,7 +138,7 @@ describe('figures on one page', { timeout: 300_000 }, () => {
         await page.waitForTimeout(500);
         assert.equal(await pictures(), before, 'off screen');
         await page.evaluate(() => document.getElementById('a').scrollIntoView());
-        await page.waitForFunction(async (count) =>
+        await until(page, async (count) =>
             (await customElements.get('knotwork-figure').stats()).pictures > count + 3, before);
         await context.close();
     });

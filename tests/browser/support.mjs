@@ -82,10 +82,15 @@ function observe() {
     };
 }
 
+/** What the test's own tool says where it keeps pages from being kept for offline. */
+const blockedWorker = 'Service Worker registration blocked by Playwright';
+
 /** Everything that pages of a context should not have said, as they say it. */
 function listen(context) {
     const said = [];
-    context.on('console', (message) => said.push(`${message.type()}: ${message.text()}`));
+    context.on('console', (message) => {
+        if (message.text() !== blockedWorker) said.push(`${message.type()}: ${message.text()}`);
+    });
     context.on('weberror', (problem) => said.push(`error: ${problem.error().stack ?? problem.error()}`));
     context.on('requestfailed', (request) => said.push(`failed: ${request.url()}`));
     context.on('response', (response) => {
@@ -119,7 +124,7 @@ async function quietContext({ browser, unheard }, options) {
 export async function openPage({ server, ...running }, path = '', { html, css = '', script, before, ...options } = {}) {
     const { context, said } = await quietContext(running, {
         viewport: { width: 1280, height: 900 }, reducedMotion: 'reduce', colorScheme: 'light',
-        locale: 'en-GB', ...options,
+        locale: 'en-GB', serviceWorkers: 'block', ...options,
     });
     const page = await context.newPage();
     const fetched = [];
@@ -232,3 +237,17 @@ export async function drag(page, from, to) {
 /** Waits for the next two frames of the browser. */
 export const settle = (page) => page.evaluate(() =>
     new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+
+/**
+ * Waits until this function of the page answers with something true; it may take its time for that.
+ * @param {import('playwright-core').Page} page
+ * @param {(given: any) => any} act
+ * @param {any} [given]
+ */
+export async function until(page, act, given, patience = 20_000) {
+    const end = Date.now() + patience;
+    while (!await page.evaluate(act, given)) {
+        assert.ok(Date.now() < end, `waited in vain for ${act}`);
+        await page.waitForTimeout(50);
+    }
+}
