@@ -4,6 +4,9 @@
 const key = 'knotwork.last';
 const pause = 400;  // milliseconds after the last change
 
+/** Milliseconds after which it is kept even if the page is never idle. */
+const patience = 3000;
+
 /** @type {ReturnType<typeof setTimeout> | undefined} */
 let timer;
 /** What is to be kept. @type {(() => { document: any, name: string }) | undefined} */
@@ -16,7 +19,13 @@ let waiting;
 export function keepSoon(shown) {
     waiting = shown;
     clearTimeout(timer);
-    timer = setTimeout(keepNow, pause);
+    timer = setTimeout(keepWhenIdle, pause);
+}
+
+/** A large document takes a while to write: not between two pictures of something that moves. */
+function keepWhenIdle() {
+    if (typeof requestIdleCallback === 'function') requestIdleCallback(keepNow, { timeout: patience });
+    else keepNow();
 }
 
 /** Keeps what waits to be kept, as before the page goes away. */

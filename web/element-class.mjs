@@ -2,7 +2,7 @@
 // nothing; defineFigure() does, and may be called any number of times.
 
 import { KnotworkError } from './errors.mjs';
-import { exportFigure } from './figure-export.mjs';
+import { beginFile } from './figure-export.mjs';
 import { Figure } from './figure.mjs';
 import { sourceOf } from './figure-source.mjs';
 import { controlsFor } from './figure-toolbar.mjs';
@@ -142,11 +142,15 @@ export class KnotworkFigure extends Base {
      * make its objects as `js`, and the objects as `csv`, `obj`, `stl`, `gltf` or `glb`.
      * @param {string} format
      * @param {object} [options] as scene.exportAs() takes them
+     * @param {import('./slices.mjs').Watch} [watch] `signal` ends it, and it rejects with the reason of
+     *     that; `progress` is called with how much is done, 0 to 1, in place of the figure's own bar
      */
-    async exportAs(format, options) {
-        const scene = this.#figure?.scene;
-        if (!this.#figure || !scene) throw new KnotworkError('DISPOSED', '', 'The figure shows nothing yet.');
-        return exportFigure({ scene, view: this.#figure.view, theme: this.#wishes().theme }, format, options);
+    async exportAs(format, options, watch) {
+        const figure = this.#figure;
+        const scene = figure?.scene;
+        if (!figure || !scene) throw new KnotworkError('DISPOSED', '', 'The figure shows nothing yet.');
+        const write = beginFile({ scene, view: figure.view, theme: this.#wishes().theme }, format, options);
+        return figure.work.run(this.#words().text('work.export'), write, watch);
     }
 
     /** Frees everything at once; an element put into a page again begins anew. */

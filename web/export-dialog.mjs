@@ -1,7 +1,8 @@
 // The dialog in which what is shown is saved as a file.
 
 import { openDialog } from './dialog.mjs';
-import { el, setText, uniqueId } from './dom.mjs';
+import { el, setAttributes, setText, uniqueId } from './dom.mjs';
+import { Progress } from './progress.mjs';
 
 /** @typedef {import('./words.mjs').Words} Words */
 /** @typedef {import('./element-class.mjs').KnotworkFigure} KnotworkFigure */
@@ -27,14 +28,70 @@ export function openExport(words, figure) {
         ...(['svg', 'csv', 'obj', 'stl', 'gltf'].includes(format) ? { phase: figure.phase } : {}),
         ...(format === 'png' ? { width: width.value() } : {}),
     });
-    const act = (/** @type {() => Promise<string>} */ work) => async () => {
-        setText(told, await work().catch((error) => words.refusal(error)));
-    };
+    const writer = new FileWriter(words, told);
     const rows = files.filter(({ bodies }) => hasBodies || !bodies).map(({ format }) => row(words, format,
-        act(async () => save(words, await figure.exportAs(format, options(format)), fileName(figure, format))),
+        () => writer.write(fileName(figure, format), async (name, watch) =>
+            save(words, await figure.exportAs(format, options(format), watch), name)),
         format === 'png' ? width.element : null));
-    const copy = row(words, 'js', act(() => copyCode(words, figure)), null);
-    return openDialog(words, words.text('page.export'), 'export', el('ul', { class: 'formats' }, ...rows, copy), told);
+    const copy = row(words, 'js', () => writer.write(fileName(figure, 'mjs'), (name, watch) =>
+        copyCode(words, figure, name, watch)), null);
+    const dialog = openDialog(words, words.text('page.export'), 'export',
+        el('ul', { class: 'formats' }, ...rows, copy), told, writer.progress.element);
+    writer.follow(dialog);
+    return dialog;
+}
+
+/** Writes one file at a time, with a bar in place of the sentence that says how it went. */
+class FileWriter {
+    progress = new Progress('button-plain', { shown: (name) => setText(this.told, this.words.text('work.begun', { name })) });
+    /** @type {AbortController | undefined} */
+    #busy;
+
+    /** @param {Words} words @param {Element} told */
+    constructor(words, told) {
+        this.words = words;
+        this.told = told;
+    }
+
+    /** While a file is written Escape ends that, and only then the dialog. @param {HTMLDialogElement} dialog */
+    follow(dialog) {
+        this.dialog = dialog;
+        dialog.addEventListener('cancel', (event) => {
+            if (!this.#busy) return;
+            event.preventDefault();
+            this.#busy.abort();
+        });
+        dialog.addEventListener('close', () => this.#busy?.abort());
+    }
+
+    /**
+     * @param {string} file its name
+     * @param {(file: string, watch: import('./slices.mjs').Watch) => Promise<string>} work
+     */
+    async write(file, work) {
+        if (this.#busy) return;
+        const { words, progress } = this;
+        const name = words.text('work.file', { name: file });
+        const busy = this.#busy = new AbortController();
+        setText(this.told, '');
+        progress.begin(words, name, () => busy.abort());
+        this.#show(true);
+        const watch = { signal: busy.signal, progress: (/** @type {number} */ done) => progress.advance(done) };
+        const failed = (/** @type {any} */ error) =>
+            (busy.signal.aborted ? words.text('work.cancelled') : words.refusal(error));
+        const said = await work(file, watch).catch(failed);
+        this.#busy = undefined;
+        progress.end();
+        this.#show(false);
+        setText(this.told, said);
+    }
+
+    /** @param {boolean} busy whether no other file may be begun */
+    #show(busy) {
+        for (const button of this.dialog?.querySelectorAll('.format button') ?? []) {
+            setAttributes(button, { 'aria-disabled': busy ? 'true' : null });
+        }
+    }
 }
 
 /**
@@ -75,12 +132,17 @@ function save(words, blob, name) {
     return words.text('export.saved', { name });
 }
 
-/** @param {Words} words @param {KnotworkFigure} figure */
-async function copyCode(words, figure) {
-    const code = await (await figure.exportAs('js')).text();
+/**
+ * @param {Words} words
+ * @param {KnotworkFigure} figure
+ * @param {string} name of a file, where nothing can be copied
+ * @param {import('./slices.mjs').Watch} watch
+ */
+async function copyCode(words, figure, name, watch) {
+    const code = await (await figure.exportAs('js', undefined, watch)).text();
     const copied = await navigator.clipboard?.writeText(code).then(() => true, () => false);
     if (copied) return words.text('export.copied');
-    return save(words, new Blob([code], { type: 'text/javascript' }), fileName(figure, 'mjs'));
+    return save(words, new Blob([code], { type: 'text/javascript' }), name);
 }
 
 /** @param {KnotworkFigure} figure @param {string} extension */

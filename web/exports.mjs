@@ -1,6 +1,7 @@
 // Scenes as files for other programs.
 
-import { choice, options } from './check.mjs';
+import { choice, finite, options } from './check.mjs';
+import { Held } from './held.mjs';
 
 /** @typedef {import('./core.mjs').Core} Core */
 
@@ -23,9 +24,36 @@ const utf8 = new TextDecoder();
  */
 export function exportScene(core, handle, format, given) {
     const name = choice(format, 'format', exportFormats);
-    const fields = options(given, name === 'svg' ? pictureOptions : geometryOptions);
-    core.ask('sceneExport', handle, exportFormats.indexOf(name), core.send(fields));
+    core.ask('sceneExport', handle, exportFormats.indexOf(name), core.send(optionsOf(name, given)));
     const bytes = core.bytes(core.number(0), core.number(1));
     core.call('dropExport');
     return binary.includes(name) ? bytes : utf8.decode(bytes);
+}
+
+/** @param {string} format @param {unknown} given */
+const optionsOf = (format, given) => options(given, format === 'svg' ? pictureOptions : geometryOptions);
+
+/** An export that is written in slices, of the scene as it was when it began. */
+export class Exporting extends Held {
+    /**
+     * Goes on by about so many numbers that are written as text.
+     * @param {number} [numbers]
+     */
+    advance(numbers = 8000) {
+        const { core, handle } = Held.of(this);
+        core.ask('exportAdvance', handle, finite(numbers, 'numbers'));
+        return { more: core.number(0) === 1, fraction: core.number(1), bytes: core.bytes(core.number(2), core.number(3)) };
+    }
+}
+
+/**
+ * @param {Core} core
+ * @param {number} handle of a scene
+ * @param {unknown} format
+ * @param {unknown} given
+ */
+export function beginExport(core, handle, format, given) {
+    const name = choice(format, 'format', exportFormats);
+    const fields = optionsOf(name, given);
+    return new Exporting(core, core.ask('sceneExporting', handle, exportFormats.indexOf(name), core.send(fields)));
 }

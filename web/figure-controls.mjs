@@ -91,12 +91,12 @@ export class FigureControls {
 
     /**
      * Brings the panel up to the scene; what it shows already is left alone.
-     * @param {any} scene
+     * @param {import('./figure-reading.mjs').Reading} read
      */
-    showScene(scene) {
-        if (!this.#panel || !this.#open || scene.revision === this.#shownRevision) return;
-        this.#panel.update(scene);
-        this.#shownRevision = scene.revision;
+    showScene(read) {
+        if (!this.#panel || !this.#open || read.revision === this.#shownRevision) return;
+        this.#panel.update(read);
+        this.#shownRevision = read.revision;
     }
 
     /** Another scene: the panel has shown nothing of it yet. */

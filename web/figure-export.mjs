@@ -2,8 +2,12 @@
 
 import { integer, isPlain, options as optionsOf } from './check.mjs';
 import { KnotworkError } from './errors.mjs';
+import { inSlices } from './slices.mjs';
 
 /** @typedef {{ scene: any, view: import('./figure-view.mjs').FigureView, theme: string }} Shown */
+
+/** Bytes that are handed to the browser at once; what it has got need not stay in the page's memory. */
+const atOnce = 2 ** 22;
 
 /** Pixels across of a PNG; some browsers have no larger canvas. */
 const widest = 8192;
@@ -15,21 +19,54 @@ const types = {
 };
 
 /**
+ * Begins to write a file of what is shown now, and answers what goes on with it to its end. A refusal
+ * is thrown at once where the options are wrong.
  * @param {Shown} figure
  * @param {string} format
  * @param {unknown} [options] as scene.exportAs() takes them; a picture has the size and the theme of
  * the figure unless they say otherwise; a PNG takes `width` and `height` in pixels
- * @returns {Promise<Blob>}
+ * @returns {(watch: import('./slices.mjs').Watch) => Promise<Blob>}
  */
-export async function exportFigure(figure, format, options) {
-    if (format === 'png') return picture(figure.view, options);
+export function beginFile(figure, format, options) {
+    if (format === 'png') return () => picture(figure.view, options);
     if (!Object.hasOwn(types, format)) {
         const known = ['png', ...Object.keys(types)].join(', ');
         throw new KnotworkError('NOT_SUPPORTED', 'format', `"${format}" cannot be exported; ${known} can.`);
     }
     const chosen = format === 'svg' && (options === undefined || isPlainObject(options))
         ? { ...asShown(figure), ...options } : options;
-    return new Blob([figure.scene.exportAs(format, chosen)], { type: types[format] });
+    const work = figure.scene.exporting(format, chosen);
+    return (watch) => written(work, types[format], watch);
+}
+
+/**
+ * @param {import('./exports.mjs').Exporting} work
+ * @param {string} type
+ * @param {import('./slices.mjs').Watch} watch
+ */
+async function written(work, type, watch) {
+    /** @type {Blob[]} */
+    const parts = [];
+    /** @type {Uint8Array[]} */
+    let waiting = [];
+    let size = 0;
+    const handOver = () => {
+        parts.push(new Blob(/** @type {any[]} */ (waiting)));
+        waiting = [];
+        size = 0;
+    };
+    try {
+        await inSlices(() => {
+            const { more, fraction, bytes } = work.advance();
+            waiting.push(bytes);
+            size += bytes.length;
+            if (size > atOnce || !more) handOver();
+            return { more, fraction };
+        }, watch);
+        return new Blob(parts, { type });
+    } finally {
+        work.dispose();
+    }
 }
 
 /** @param {unknown} value @returns {value is object} */

@@ -75,6 +75,17 @@ ${seams}
     background: var(--bad-wash); color: var(--ink); border-inline-start: 4px solid var(--bad);
     font-size: 0.875rem; overflow-wrap: anywhere; }
 .refusal p { margin: 0; }
+.progress { position: absolute; inset: auto 0.75rem 0.75rem; display: grid; grid-template-columns: minmax(0, 1fr) auto;
+    align-items: center; gap: 0.375rem 0.75rem; margin-inline: auto; max-width: 30rem; padding: 0.625rem 0.75rem 0.75rem;
+    border: 1px solid var(--line); border-radius: 10px; background: var(--ground); font-size: 0.875rem;
+    box-shadow: 0 4px 16px rgb(0 0 0 / 12%); }
+.progress-name { overflow-wrap: anywhere; }
+.progress progress { grid-area: 2 / 1; appearance: none; -webkit-appearance: none; width: 100%; height: 6px; border: 0;
+    border-radius: 3px; background: var(--wash); accent-color: var(--accent); }
+.progress progress::-webkit-progress-bar { border-radius: 3px; background: var(--wash); }
+.progress progress::-webkit-progress-value { border-radius: 3px; background: var(--accent); }
+.progress progress::-moz-progress-bar { border-radius: 3px; background: var(--accent); }
+.progress .quiet-button { grid-area: 1 / 2 / span 2; }
 .aside { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%);
     white-space: nowrap; }
 @container (min-width: 60rem) {
@@ -317,13 +328,17 @@ const circumstances = `
     .frame { --line: var(--edge); --quiet: var(--ink); }
 }
 @media print {
-    .toolbar, .trace-bar .button, .trace-steps, .values, .refusal { display: none !important; }
+    .toolbar, .trace-bar .button, .trace-steps, .values, .refusal, .progress { display: none !important; }
     .frame { border: 0; }
     .frame, .frame[data-values] { grid-template: "column" auto / minmax(0, 1fr); }
 }
 @media (forced-colors: active) {
     input[type="range"], input[type="checkbox"] { appearance: auto; -webkit-appearance: auto; }
     input[type="range"]::-webkit-slider-runnable-track { border: 1px solid CanvasText; }
+    .progress progress { forced-color-adjust: none; height: 10px; border: 1px solid CanvasText; background: Canvas; }
+    .progress progress::-webkit-progress-bar { background: Canvas; }
+    .progress progress::-webkit-progress-value { background: Highlight; }
+    .progress progress::-moz-progress-bar { background: Highlight; }
     .button:is([aria-pressed="true"], [aria-expanded="true"]),
     .quiet-button[aria-pressed="true"] { outline: 2px solid Highlight; }
     .handle:not([hidden])::after { content: ""; position: absolute; inset: -13px auto auto -13px; width: 26px;

@@ -22,16 +22,15 @@ function keysSentence({ words, readOnly, controls }) {
  * Keeps the text alternative in step with the picture, and answers its sentence about the shape.
  * @param {Parts} parts
  * @param {import('./figure.mjs').Wishes} wishes
- * @param {any} scene
- * @param {any} document of the scene
+ * @param {import('./figure-reading.mjs').Reading} read
  * @param {string} name of a built-in scene, or ''
  */
-export function describe(parts, wishes, scene, document, name) {
+export function describe(parts, wishes, read, name) {
     const { words } = wishes;
-    const { title, objects } = document;
+    const { title, objects } = read.document;
     const shown = words.scene(name, 'title', title ?? '');
     parts.wrapper.setAttribute('aria-label', words.text('figure', { title: shown }));
-    const labels = new Map(scene.schema.map((/** @type {any} */ o) => [o.object, o.label ?? o.type]));
+    const labels = new Map(read.schema.map((/** @type {any} */ o) => [o.object, o.label ?? o.type]));
     const sentence = objects.map((/** @type {any} */ object) =>
         shapeSentence(words, object, labels.get(object.id) ?? object.type)).join(' ');
     setText(parts.about, `${sentence} ${keysSentence(wishes)}`);

@@ -9,12 +9,14 @@ import { dressView, joinHands } from './figure-joining.mjs';
 import { FigurePanes } from './figure-panes.mjs';
 import { Announcer, makeParts, watch } from './figure-parts.mjs';
 import { Playback } from './figure-playback.mjs';
+import { Follower, Reading } from './figure-reading.mjs';
 import { doneSentence } from './figure-sentences.mjs';
 import { Sight } from './figure-sight.mjs';
 import { readSource } from './figure-source.mjs';
 import { figureSheet } from './figure-style.mjs';
 import { describe, selectFirst, showFailure, showRefusal } from './figure-telling.mjs';
 import { FigureView } from './figure-view.mjs';
+import { FigureWork } from './figure-work.mjs';
 import { sharedStage } from './stage.mjs';
 
 /**
@@ -46,7 +48,7 @@ export class Figure {
     #scene;
     #sceneName = '';
     #loading = 0;
-    #refreshing = false;
+    #follower = new Follower(() => this.#refresh());
     #toldRevision = -1;
     #expert = false;
     #disposed = false;
@@ -57,7 +59,7 @@ export class Figure {
     #sight = new Sight();
     #changes = new Changes({
         emit: (type, detail) => this.host.emit(type, detail),
-        changed: () => this.#refreshSoon(),
+        changed: () => this.#follower.soon(),
     });
     #playback = new Playback({
         words: () => this.host.wishes().words,
@@ -97,6 +99,10 @@ export class Figure {
                 this.#follow();
             },
             stepped: (step) => this.host.emit('step', step),
+        });
+        this.work = new FigureWork(this.#parts, {
+            words: () => this.host.wishes().words,
+            say: (sentence) => this.#announcer.say(sentence),
         });
         this.view = new FigureView(this.#parts.wrapper, {
             ticked: () => this.#ticked(),
@@ -323,27 +329,18 @@ export class Figure {
         this.#stage?.request();
     }
 
-    /** The panel follows once per task, however many commands there were. */
-    #refreshSoon() {
-        if (this.#refreshing) return;
-        this.#refreshing = true;
-        queueMicrotask(() => {
-            this.#refreshing = false;
-            this.#refresh();
-        });
-    }
-
     #refresh() {
         const scene = this.#scene;
         if (!scene) return;
+        const read = new Reading(scene);
         this.#refreshToolbar();
-        this.controls.showScene(scene);
-        this.panes.update(scene);
-        if (scene.revision === this.#toldRevision) return;
+        this.controls.showScene(read);
+        this.panes.update(read);
+        if (read.revision === this.#toldRevision) return;
         const opened = this.#toldRevision < 0;
-        this.#toldRevision = scene.revision;
-        const { document } = scene;
-        const sentence = describe(this.#parts, this.host.wishes(), scene, document, this.#sceneName);
+        this.#toldRevision = read.revision;
+        const { document } = read;
+        const sentence = describe(this.#parts, this.host.wishes(), read, this.#sceneName);
         const step = this.controls.showTrace(document, this.selection?.object ?? -1);
         if (opened) return;
         this.#announcer.say(step || doneSentence(this.host.wishes().words, this.#changes.last, document, sentence, this.kw));
@@ -393,6 +390,8 @@ export class Figure {
 
     dispose() {
         this.#disposed = true;
+        this.work.dispose();
+        this.#follower.end();
         this.#announcer.silence();
         this.controls.dispose();
         this.#sight.end();

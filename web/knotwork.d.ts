@@ -1157,6 +1157,16 @@ export interface FieldDescription {
     choices?: { value: string; label: string }[];
 }
 
+/** A file that is being written. All its bytes, in order, are what exportAs() answers. */
+export interface Exporting extends Disposable {
+    /**
+     * Goes on by about so many numbers that are written as text (default 8000, which take some
+     * milliseconds), and answers whether anything is left to do, how much is done (0 to 1, never less
+     * than before), and what has been written since.
+     */
+    advance(numbers?: number): { more: boolean; fraction: number; bytes: Uint8Array };
+}
+
 export interface Scene extends Disposable {
     /** The canonical document: defaults filled in, keys in a fixed order. */
     readonly document: SceneDocument;
@@ -1178,6 +1188,12 @@ export interface Scene extends Disposable {
     exportAs(format: 'svg', options?: SvgOptions): string;
     exportAs(format: 'json' | 'js' | 'csv' | 'obj' | 'gltf', options?: ExportOptions): string;
     exportAs(format: 'stl' | 'glb', options?: ExportOptions): Uint8Array;
+    /**
+     * The same in slices, for a thread that has other things to do: of the scene as it is now, whatever
+     * becomes of it meanwhile. Disposing of it ends it and leaves nothing.
+     */
+    exporting(format: 'svg', options?: SvgOptions): Exporting;
+    exporting(format: 'json' | 'js' | 'csv' | 'obj' | 'stl' | 'gltf' | 'glb', options?: ExportOptions): Exporting;
     /** Applies a command; one that is refused changes nothing. */
     execute(command: Command): { command: string; path: string };
     /** Takes a step back; false where there is none. */

@@ -44,7 +44,7 @@ class Page {
         document.addEventListener('keydown', (event) => this.#key(event));
         window.addEventListener('hashchange', () => this.route());
         window.addEventListener('pagehide', () => keepNow());
-        this.figure.addEventListener('change', () => this.#changed());
+        this.figure.addEventListener('change', (event) => this.#changed(/** @type {CustomEvent} */ (event).detail.path));
         document.querySelector('.skip')?.addEventListener('click', (event) => {
             event.preventDefault();  // the address names the scene
             this.figure.focus();
@@ -130,8 +130,9 @@ class Page {
         this.#title();
     }
 
-    #changed() {
-        this.#title();
+    /** @param {string} path of what is other than before, '' for anything */
+    #changed(path) {
+        if (!/^(objects|effects|view)\b/.test(path)) this.#title();
         this.#keep();
     }
 

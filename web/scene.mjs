@@ -2,7 +2,7 @@
 
 import { finite, options } from './check.mjs';
 import { KnotworkError } from './errors.mjs';
-import { exportScene } from './exports.mjs';
+import { beginExport, exportScene } from './exports.mjs';
 import { Held } from './held.mjs';
 
 export class Scene extends Held {
@@ -39,6 +39,12 @@ export class Scene extends Held {
     exportAs(format, given) {
         const { core, handle } = Held.of(this);
         return exportScene(core, handle, format, given);
+    }
+
+    /** The same in slices. @param {unknown} format @param {unknown} [given] */
+    exporting(format, given) {
+        const { core, handle } = Held.of(this);
+        return beginExport(core, handle, format, given);
     }
 
     /** Applies a command and says what it changed. @param {object} command */

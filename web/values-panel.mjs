@@ -44,15 +44,15 @@ export class ValuesPanel {
 
     /**
      * Shows the scene as it is now; controls are made anew only when there are others than before.
-     * @param {any} scene
+     * @param {import('./figure-reading.mjs').Reading} read
      */
-    update(scene) {
+    update(read) {
         /** @type {ObjectDescription[]} */
-        const objects = scene.schema;
+        const objects = read.schema;
         const structure = JSON.stringify(objects.map(structureOf));
         if (structure !== this.#structure) this.#build(objects);
         this.#structure = structure;
-        const { document } = scene;
+        const { document } = read;
         objects.forEach((object, k) => this.#sections[k].update(object, document.objects[k], document));
     }
 

@@ -113,6 +113,8 @@ EMSCRIPTEN_BINDINGS(knotwork_session) {
         .function("sceneDrawing", &Session::sceneDrawing)
         .function("sceneExport", &Session::sceneExport)
         .function("dropExport", &Session::dropExport)
+        .function("sceneExporting", &Session::sceneExporting)
+        .function("exportAdvance", &Session::exportAdvance)
         .function("scenes", &Session::scenes)
         .function("documentSchema", &Session::documentSchema);
 }

@@ -121,6 +121,7 @@ template Made<BFunction>* Session::find<Made<BFunction>>(int);
 template Session::CurveValue* Session::find<Session::CurveValue>(int);
 template Session::SurfaceValue* Session::find<Session::SurfaceValue>(int);
 template Session::MeshValue* Session::find<Session::MeshValue>(int);
+template drawing::SceneExport* Session::find<drawing::SceneExport>(int);
 template scene::Scene* Session::find<scene::Scene>(int);
 
 // B-functions.

@@ -12,6 +12,7 @@
 #include "bindings/marshal_lists.hpp"
 #include "bindings/queries.hpp"
 #include "drawing/drawing_cache.hpp"
+#include "drawing/exports.hpp"
 #include "geometry/arc_length.hpp"
 #include "geometry/b_function.hpp"
 #include "geometry/curve.hpp"
@@ -246,6 +247,12 @@ public:
     /// options. block: address and number of the bytes, which last until dropExport().
     [[nodiscard]] bool sceneExport(int handle, int format, unsigned bytes);
     void dropExport();
+    /// The same in slices: a handle, behind which the export is until it is released.
+    [[nodiscard]] int sceneExporting(int handle, int format, unsigned bytes);
+    /// Goes on by about so many numbers that are written as text. block: 1 where something is left to
+    /// do, else 0; how much is done, 0 … 1; address and number of the bytes that were written, which
+    /// last until the next slice of any export.
+    [[nodiscard]] bool exportAdvance(int handle, double numbers);
     [[nodiscard]] std::string scenes() const;
     [[nodiscard]] std::string documentSchema() const;
 
@@ -276,7 +283,8 @@ private:
     };
     using Value = std::variant<std::monostate, std::unique_ptr<scene::Made<BFunction>>,
                                std::unique_ptr<CurveValue>, std::shared_ptr<scene::Scene>,
-                               std::unique_ptr<SurfaceValue>, std::unique_ptr<MeshValue>>;
+                               std::unique_ptr<SurfaceValue>, std::unique_ptr<MeshValue>,
+                               std::unique_ptr<drawing::SceneExport>>;
     struct Slot {
         Value value;
         unsigned generation = 1;
@@ -302,6 +310,8 @@ private:
     /// The local curve, or nothing (and OUT_OF_RANGE `j` in error()).
     [[nodiscard]] std::optional<std::size_t> findLocal(const BlendingCurve& curve, int local);
     int holdFit(Fit fit);
+    /// Where the text stands.
+    void leaveText(std::string text, std::size_t at);
     int leave(std::vector<double> numbers, std::size_t count);
     /// Moves the first `count` of parameters() into the curve's domain; false, and a refusal that
     /// names `ts[first + i]`, where one lies outside.

@@ -1,6 +1,5 @@
 // The part of the session that writes scenes for other programs.
 #include "bindings/session.hpp"
-#include "drawing/exports.hpp"
 #include "scene/validation.hpp"
 
 #include <algorithm>
@@ -12,6 +11,7 @@ namespace knotwork::bindings {
 namespace {
 
 using drawing::ExportFormat;
+using drawing::SceneExport;
 using scene::Choice;
 using scene::Field;
 using scene::FieldKind;
@@ -91,7 +91,7 @@ std::vector<drawing::Pane> panesOf(const Json& fields) {
     return panes;
 }
 
-Result<std::string> picture(const scene::State& state, const Json& fields) {
+Result<SceneExport> picture(const scene::State& state, const Json& fields) {
     auto moment = momentOf(fields);
     if (!moment) return moment.error();
     drawing::SvgOptions options;
@@ -104,16 +104,16 @@ Result<std::string> picture(const scene::State& state, const Json& fields) {
     options.panes = panesOf(fields);
     options.background = scene::stringOr(fields, "background", "theme");
     if (auto colour = checkBackground(options.background); !colour) return colour.error();
-    return drawing::svg(state, options);
+    return SceneExport(state, options);
 }
 
-Result<std::string> geometry(const scene::State& state, ExportFormat format, const Json& fields) {
+Result<SceneExport> geometry(const scene::State& state, ExportFormat format, const Json& fields) {
     auto moment = momentOf(fields);
     if (!moment) return moment.error();
-    return drawing::exportScene(state, format, {*moment, numberOf(fields, "tolerance")});
+    return SceneExport(state, format, {*moment, numberOf(fields, "tolerance")});
 }
 
-Result<std::string> written(const scene::State& state, ExportFormat format, const Json& given) {
+Result<SceneExport> begun(const scene::State& state, ExportFormat format, const Json& given) {
     const bool isPicture = format == ExportFormat::svg;
     const auto fields = scene::readGroup(given, isPicture ? std::span<const Field>(pictureFields)
                                                           : std::span<const Field>(geometryFields));
@@ -127,15 +127,41 @@ bool Session::sceneExport(int handle, int format, unsigned bytes) {
     const auto* held = find<scene::Scene>(handle);
     if (!held) return false;
     const auto given = input(bytes);
-    auto text = given ? written(held->state(), static_cast<ExportFormat>(format), *given)
-                      : Result<std::string>(given.error());
+    auto work = given ? begun(held->state(), static_cast<ExportFormat>(format), *given)
+                      : Result<SceneExport>(given.error());
+    auto text = work ? work->finish() : Result<std::string>(work.error());
     if (!text) return refuse(text.error()) != 0;
-    text_ = *std::move(text);
-    block_[0] = static_cast<double>(reinterpret_cast<Address>(text_.data()));
-    block_[1] = static_cast<double>(text_.size());
+    leaveText(*std::move(text), 0);
     return true;
 }
 
+void Session::leaveText(std::string text, std::size_t at) {
+    text_ = std::move(text);
+    block_[at] = static_cast<double>(reinterpret_cast<Address>(text_.data()));
+    block_[at + 1] = static_cast<double>(text_.size());
+}
+
 void Session::dropExport() { text_ = std::string(); }
+
+int Session::sceneExporting(int handle, int format, unsigned bytes) {
+    const auto* held = find<scene::Scene>(handle);
+    if (!held) return 0;
+    const auto given = input(bytes);
+    if (!given) return refuse(given.error());
+    auto work = begun(held->state(), static_cast<ExportFormat>(format), *given);
+    if (!work) return refuse(work.error());
+    return hold(std::make_unique<SceneExport>(*std::move(work)));
+}
+
+bool Session::exportAdvance(int handle, double numbers) {
+    auto* work = find<SceneExport>(handle);
+    if (!work) return false;
+    const auto more = work->advance(numbers);
+    if (!more) return refuse(more.error()) != 0;
+    block_[0] = *more ? 1 : 0;
+    block_[1] = work->fraction();
+    leaveText(work->take(), 2);
+    return true;
+}
 
 }  // namespace knotwork::bindings

@@ -130,20 +130,23 @@ std::vector<Shape> sketchPlots(const scene::Object& object, const scene::Body& b
     return std::move(sketch).finish();
 }
 
+void drawObject(Drawing& drawing, const scene::Placed& placed, int number, const Options& options) {
+    const scene::Object& object = *placed.object;
+    Options own = options;
+    own.tolerance = ownTolerance(options.tolerance, placed.placement);
+    std::vector<Shape> figure = sketchFigure(object, placed.body, number, own);
+    placeShapes(figure, placed.placement, placed.colour, options.dark);
+    for (const Shape& shape : figure) drawing.bounds.add(shape);
+    std::move(figure.begin(), figure.end(), std::back_inserter(drawing.shapes));
+    std::vector<Shape> plots = sketchPlots(object, placed.body, number, own);
+    std::move(plots.begin(), plots.end(), std::back_inserter(drawing.shapes));
+}
+
 Drawing draw(const scene::State& state, const Options& options) {
     Drawing drawing;
     const std::vector<scene::Placed> placed = scene::place(state, options.moment);
     for (std::size_t i = 0; i < placed.size(); ++i) {
-        const auto& [object, body, placement, colour] = placed[i];
-        const int number = static_cast<int>(i);
-        Options own = options;
-        own.tolerance = ownTolerance(options.tolerance, placement);
-        std::vector<Shape> figure = sketchFigure(*object, body, number, own);
-        placeShapes(figure, placement, colour, options.dark);
-        for (const Shape& shape : figure) drawing.bounds.add(shape);
-        std::move(figure.begin(), figure.end(), std::back_inserter(drawing.shapes));
-        std::vector<Shape> plots = sketchPlots(*object, body, number, own);
-        std::move(plots.begin(), plots.end(), std::back_inserter(drawing.shapes));
+        drawObject(drawing, placed[i], static_cast<int>(i), options);
     }
     return drawing;
 }

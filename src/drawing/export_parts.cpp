@@ -2,12 +2,14 @@
 
 #include "drawing/extent.hpp"
 #include "drawing/normals.hpp"
+#include "geometry/mesh_normals.hpp"
 #include "geometry/surface_tessellation.hpp"
 #include "geometry/tessellation.hpp"
 #include "geometry/triangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 namespace knotwork::drawing {
@@ -18,32 +20,65 @@ constexpr double curveShare = 1e-4;
 constexpr double surfaceShare = 1e-3;
 constexpr std::size_t graphChords = 256;
 
+// What things weigh, in numbers written as text (sliced_work.hpp).
+constexpr double numberPlaced = 0.05;
+constexpr double cornerTurned = 0.5;     // the angle at a corner
+constexpr double faceCut = 0.2;
+constexpr double adaptive = 50'000;      // a curve or surface, made to a tolerance
+constexpr double writtenAdaptive = 5000;
+
 class PartMaker {
 public:
-    PartMaker(const scene::State& state, const ExportOptions& options)
-        : state_(state), options_(options) {}
+    PartMaker(ExportRun& run, ExportNeeds needs)
+        : run_(run), needs_(needs), placed_(scene::place(run.state, run.options.moment)) {
+        const std::optional<double> asked = run.options.tolerance;
+        const double size = asked ? 0 : roughSize(run.state, run.options.moment);
+        curveTolerance_ = asked.value_or(curveShare * size);
+        surfaceTolerance_ = asked.value_or(surfaceShare * size);
+    }
 
-    Result<std::vector<ExportPart>> make() {
-        const double size = options_.tolerance ? 0 : roughSize(state_, options_.moment);
-        curveTolerance_ = options_.tolerance.value_or(curveShare * size);
-        surfaceTolerance_ = options_.tolerance.value_or(surfaceShare * size);
-        for (const scene::Placed& placed : scene::place(state_, options_.moment)) {
-            auto added = add(placed);
-            if (!added) return added.error();
+    /// One step an object; they keep the maker.
+    static void plan(const std::shared_ptr<PartMaker>& maker) {
+        for (std::size_t i = 0; i < maker->placed_.size(); ++i) {
+            const double weight = maker->weightOf(maker->placed_[i].body);
+            maker->run_.work.step(weight, [maker, i] { maker->add(maker, maker->placed_[i]); });
         }
-        return std::move(parts_);
+    }
+
+    /// Of all that is written of the parts, about.
+    [[nodiscard]] double writtenWeight() const {
+        double weight = 0;
+        for (const scene::Placed& placed : placed_) {
+            const auto* mesh = placed.body.subdivision();
+            const auto* cloud = placed.body.cloud();
+            weight += mesh != nullptr ? meshNumbers(mesh->refined)
+                      : cloud != nullptr ? 3.0 * static_cast<double>(cloud->points.size())
+                                         : writtenAdaptive;
+        }
+        return weight;
     }
 
 private:
-    Result<Done> add(const scene::Placed& placed) {
+    static double meshNumbers(const Mesh& mesh) noexcept {
+        return 3.0 * static_cast<double>(mesh.points().size() + mesh.corners().size());
+    }
+
+    [[nodiscard]] double weightOf(const scene::Body& body) const {
+        if (body.subdivision() == nullptr) return adaptive;
+        const Mesh& mesh = body.subdivision()->refined;
+        return numberPlaced * meshNumbers(mesh) +
+               (needs_.normals ? cornerTurned * static_cast<double>(mesh.corners().size()) : 0);
+    }
+
+    void add(const std::shared_ptr<PartMaker>& self, const scene::Placed& placed) {
         const scene::Body& body = placed.body;
-        if (body.curve() != nullptr) return curve(placed, *body.curve());
-        if (body.surface() != nullptr) return surface(placed, *body.surface());
-        if (body.subdivision() != nullptr) mesh(placed, body.subdivision()->refined);
-        if (body.graph() != nullptr) graph(placed, *body.graph());
-        if (body.cloud() == nullptr) return Done{};
+        if (body.curve() != nullptr) return curve(self, placed, *body.curve());
+        if (body.surface() != nullptr) return surface(self, placed, *body.surface());
+        if (body.subdivision() != nullptr) return mesh(self, placed, body.subdivision()->refined);
+        if (body.graph() != nullptr) return graph(placed, *body.graph());
+        if (body.cloud() == nullptr) return;
         points(placed, body.cloud()->points);
-        return body.cloud()->fit ? curve(placed, body.cloud()->fit->curve) : Done{};
+        if (body.cloud()->fit) curve(self, placed, body.cloud()->fit->curve);
     }
 
     ExportPart& begin(const scene::Placed& placed, ExportPart::Kind kind) {
@@ -51,8 +86,8 @@ private:
         part.name = placed.object->id;
         part.kind = kind;
         part.colour = placed.colour;
-        parts_.push_back(std::move(part));
-        return parts_.back();
+        run_.parts.push_back(std::move(part));
+        return run_.parts.back();
     }
 
     static void place(ExportPart& part, const scene::Placed& placed, const Vec3& p) {
@@ -60,21 +95,26 @@ private:
         part.xyz.insert(part.xyz.end(), {at.x, at.y, at.z});
     }
 
-    Result<Done> curve(const scene::Placed& placed, const Curve& curve) {
-        auto line = polylineWithin(curve, curveTolerance_);
-        if (!line) return line.error();
+    void curve(const std::shared_ptr<PartMaker>& self, const scene::Placed& placed,
+               const Curve& curve) {
+        planPolyline(run_.work, curve, curveTolerance_, [self, &placed](const Result<Polyline>& line) {
+            if (line) self->addLine(placed, *line);
+            else self->run_.refuse(line.error());
+        });
+    }
+
+    void addLine(const scene::Placed& placed, const Polyline& line) {
         bool going = false;
-        for (std::size_t i = 0; i < line->parameters.size(); ++i) {
-            const double* xyz = line->xyz.data() + 3 * i;
+        for (std::size_t i = 0; i < line.parameters.size(); ++i) {
+            const double* xyz = line.xyz.data() + 3 * i;
             const Vec3 p(xyz[0], xyz[1], xyz[2]);
-            const bool jumps = i > 0 && line->parameters[i] == line->parameters[i - 1];
+            const bool jumps = i > 0 && line.parameters[i] == line.parameters[i - 1];
             if (isFinite(p) && (!going || jumps)) begin(placed, ExportPart::Kind::line);
             going = isFinite(p);
             if (!going) continue;
-            place(parts_.back(), placed, p);
-            parts_.back().parameters.push_back(line->parameters[i]);
+            place(run_.parts.back(), placed, p);
+            run_.parts.back().parameters.push_back(line.parameters[i]);
         }
-        return Done{};
     }
 
     /// As far as the function has values.
@@ -86,8 +126,8 @@ private:
             if (std::isfinite(value) && !going) begin(placed, ExportPart::Kind::line);
             going = std::isfinite(value);
             if (!going) continue;
-            place(parts_.back(), placed, graph.at + graph.size * Vec3(t, value, 0));
-            parts_.back().parameters.push_back(t);
+            place(run_.parts.back(), placed, graph.at + graph.size * Vec3(t, value, 0));
+            run_.parts.back().parameters.push_back(t);
         }
     }
 
@@ -97,34 +137,74 @@ private:
         for (const Vec3& p : points) place(part, placed, p);
     }
 
-    Result<Done> surface(const scene::Placed& placed, const Surface& surface) {
-        auto made = trianglesWithin(surface, surfaceTolerance_);
-        if (!made) return made.error();
-        ExportPart& part = begin(placed, ExportPart::Kind::faces);
-        for (std::size_t i = 0; i < made->positions.size(); i += 3) {
-            const double* p = made->positions.data() + i;
-            place(part, placed, {p[0], p[1], p[2]});
-        }
-        part.normals = std::move(made->normals);
-        part.parameters = std::move(made->parameters);
-        part.triangles = std::move(made->triangles);
-        part.corners = part.triangles;
-        orient(part, placed.placement.linear);
-        return Done{};
+    void surface(const std::shared_ptr<PartMaker>& self, const scene::Placed& placed,
+                 const Surface& surface) {
+        planTriangles(run_.work, surface, surfaceTolerance_,
+                      [self, &placed](Result<SurfaceTriangles> made) {
+                          if (made) self->addTriangles(placed, *std::move(made));
+                          else self->run_.refuse(made.error());
+                      });
     }
 
-    void mesh(const scene::Placed& placed, const Mesh& mesh) {
+    void addTriangles(const scene::Placed& placed, SurfaceTriangles made) {
         ExportPart& part = begin(placed, ExportPart::Kind::faces);
-        for (const Vec3& p : mesh.points()) place(part, placed, p);
+        part.xyz.reserve(made.positions.size());
+        for (std::size_t i = 0; i < made.positions.size(); i += 3) {
+            const double* p = made.positions.data() + i;
+            place(part, placed, {p[0], p[1], p[2]});
+        }
+        part.parameters = std::move(made.parameters);
+        if (needs_.normals) part.normals = std::move(made.normals);
+        if (needs_.triangles) part.triangles = made.triangles;
+        if (needs_.corners) part.corners = std::move(made.triangles);
+        orient(part, placed.placement.linear);
+    }
+
+    /// The lists of a mesh, each in a loop or step of its own.
+    void mesh(const std::shared_ptr<PartMaker>& self, const scene::Placed& placed,
+              const Mesh& mesh) {
+        begin(placed, ExportPart::Kind::faces).xyz.reserve(3 * mesh.points().size());
+        const std::size_t k = run_.parts.size() - 1;
+        const auto vertices = static_cast<double>(mesh.points().size());
+        const auto faces = static_cast<double>(mesh.faces().count());
+        run_.work.loop(mesh.points().size(), 3 * numberPlaced * vertices,
+                       [self, &placed, mesh, k](std::size_t first, std::size_t last) {
+                           ExportPart& part = self->run_.parts[k];
+                           for (const Vec3& p : mesh.points().subspan(first, last - first)) {
+                               place(part, placed, p);
+                           }
+                       });
+        run_.work.step(faceCut * faces, [self, mesh, k] { self->addFaces(mesh, k); });
+        if (needs_.normals) addNormals(self, mesh, k);
+        run_.work.step(faceCut * faces, [self, &placed, k] {
+            orient(self->run_.parts[k], placed.placement.linear);
+        });
+    }
+
+    void addFaces(const Mesh& mesh, std::size_t k) {
+        ExportPart& part = run_.parts[k];
+        if (needs_.triangles) part.triangles = triangleIndices(mesh);
+        if (!needs_.corners) return;
         const FaceRows faces = mesh.faces();
         part.corners.assign(faces.corners.begin(), faces.corners.end());
         for (std::size_t f = 0; f <= faces.count(); ++f) {
             part.starts.push_back(static_cast<std::uint32_t>(faces.begin(f)));
         }
-        part.triangles = triangleIndices(mesh);
-        part.normals.resize(3 * mesh.points().size());
-        vertexNormals(mesh, part.normals);
-        orient(part, placed.placement.linear);
+    }
+
+    void addNormals(const std::shared_ptr<PartMaker>& self, const Mesh& mesh, std::size_t k) {
+        const std::size_t vertices = mesh.points().size();
+        run_.work.loop(mesh.faces().count(),
+                       cornerTurned * static_cast<double>(mesh.corners().size()),
+                       [self, sums = NormalSums(mesh), vertices, k](std::size_t first,
+                                                                   std::size_t last) {
+                           std::vector<double>& normals = self->run_.parts[k].normals;
+                           normals.resize(3 * vertices);
+                           sums.add(first, last, normals);
+                       });
+        run_.work.step(3 * numberPlaced * static_cast<double>(vertices), [self, k] {
+            NormalSums::normalise(self->run_.parts[k].normals);
+        });
     }
 
     /// Turns the normals with the object, and the faces where a reflection has turned them over.
@@ -147,18 +227,21 @@ private:
         }
     }
 
-    const scene::State& state_;
-    const ExportOptions& options_;
+    ExportRun& run_;
+    ExportNeeds needs_;
+    std::vector<scene::Placed> placed_;
     double curveTolerance_ = 0;
     double surfaceTolerance_ = 0;
-    std::vector<ExportPart> parts_;
 };
 
 }  // namespace
 
-Result<std::vector<ExportPart>> exportParts(const scene::State& state,
-                                            const ExportOptions& options) {
-    return PartMaker(state, options).make();
+void planParts(ExportRun& run, ExportNeeds needs, std::function<void()> write) {
+    run.work.step(0, [&run, needs, write = std::move(write)] {
+        const auto maker = std::make_shared<PartMaker>(run, needs);
+        PartMaker::plan(maker);
+        run.work.step(maker->writtenWeight(), write);
+    });
 }
 
 }  // namespace knotwork::drawing

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "drawing/exports.hpp"
+#include "geometry/sliced_work.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +29,37 @@ struct ExportPart {
     [[nodiscard]] std::size_t count() const noexcept { return xyz.size() / 3; }
 };
 
-/// In the order of the objects; a cloud with a fit is two, and a curve that is not finite somewhere
-/// falls into what is left of it. Nothing has no points.
-[[nodiscard]] Result<std::vector<ExportPart>> exportParts(const scene::State& state,
-                                                          const ExportOptions& options);
+/// Which of the lists of faces a format is written from; the others stay empty.
+struct ExportNeeds {
+    bool corners = false;  ///< with their starts
+    bool triangles = false;
+    bool normals = false;
+};
+
+/// An export on its way: what its loops have in common. It stays where it is as long as they are run.
+struct ExportRun {
+    scene::State state;
+    ExportOptions options;
+    SlicedWork work = {};  ///< weighed in numbers that are written as text
+    std::string text;
+    std::function<void()> flush = {};  ///< brings what was written elsewhere into the text
+    std::optional<Error> refusal = {};
+    std::vector<ExportPart> parts = {};
+
+    void refuse(Error error) {
+        refusal = std::move(error);
+        work.stop();
+    }
+};
+
+/// Has the parts made, and then `write` called, which queues what comes next. In the order of the
+/// objects; a cloud with a fit is two, and a curve that is not finite somewhere falls into what is
+/// left of it. Nothing has no points.
+void planParts(ExportRun& run, ExportNeeds needs, std::function<void()> write);
+
+// One each: they queue all that is to be done.
+void planText(ExportRun& run, ExportFormat format);
+void planBinary(ExportRun& run, ExportFormat format);
+void planPicture(ExportRun& run, const SvgOptions& picture);
 
 }  // namespace knotwork::drawing

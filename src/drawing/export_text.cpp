@@ -100,7 +100,9 @@ struct CsvColumns {
     }
 };
 
-void appendCsv(std::string& text, const ExportPart& part, const CsvColumns& columns) {
+/// The rows of some of the part's points.
+void appendCsv(std::string& text, const ExportPart& part, const CsvColumns& columns,
+               std::size_t first, std::size_t last) {
     const std::size_t own = isSurface(part) ? 2 : isCurve(part) ? 1 : 0;
     const std::string empty(columns.t && own != 1 ? 1 : 0, ',');
     const std::string emptyPair(columns.uv && own != 2 ? 2 : 0, ',');
@@ -112,13 +114,27 @@ void appendCsv(std::string& text, const ExportPart& part, const CsvColumns& colu
     before[0] = name;
     if (own == 1) before[1] = afterOne;
     std::vector<double> rows;
-    rows.reserve(part.xyz.size() + part.parameters.size());
-    for (std::size_t i = 0; i < part.count(); ++i) {
+    rows.reserve((own + 3) * (last - first));
+    for (std::size_t i = first; i < last; ++i) {
         const auto parameter = part.parameters.begin() + static_cast<std::ptrdiff_t>(own * i);
         rows.insert(rows.end(), parameter, parameter + static_cast<std::ptrdiff_t>(own));
         rows.insert(rows.end(), {part.xyz[3 * i], part.xyz[3 * i + 1], part.xyz[3 * i + 2]});
     }
     scene::appendRows(text, rows, before);
+}
+
+void writeCsv(ExportRun& run) {
+    const CsvColumns columns{std::any_of(run.parts.begin(), run.parts.end(), isCurve),
+                             std::any_of(run.parts.begin(), run.parts.end(), isSurface)};
+    run.text += columns.header();
+    for (const ExportPart& part : run.parts) {
+        const auto numbers = static_cast<double>(part.xyz.size() + part.parameters.size());
+        run.work.loop(part.count(), numbers,
+                      [&run, &part, columns](std::size_t first, std::size_t last) {
+                          appendCsv(run.text, part, columns, first, last);
+                      });
+    }
+    run.work.step(0, [&run] { run.text += '\n'; });
 }
 
 // ---- OBJ ---------------------------------------------------------------------------------------
@@ -132,33 +148,69 @@ std::string objName(const std::string& name) {
     return kept;
 }
 
-void appendFaces(std::string& text, const ExportPart& part, std::size_t first) {
-    const std::size_t faces = part.starts.empty() ? part.corners.size() / 3 : part.starts.size() - 1;
-    for (std::size_t f = 0; f < faces; ++f) {
-        const std::size_t from = part.starts.empty() ? 3 * f : part.starts[f];
-        const std::size_t to = part.starts.empty() ? from + 3 : part.starts[f + 1];
-        text += "\nf";
-        for (std::size_t i = from; i < to; ++i) {
-            text += ' ' + std::to_string(first + part.corners[i]);
-        }
+/// A number of a vertex, which has no decimals to look for.
+constexpr double indexWeight = 0.3;
+
+std::size_t facesOf(const ExportPart& part) noexcept {
+    return part.starts.empty() ? part.corners.size() / 3 : part.starts.size() - 1;
+}
+
+void appendFace(std::string& text, const ExportPart& part, std::size_t f, std::size_t firstVertex) {
+    const std::size_t from = part.starts.empty() ? 3 * f : part.starts[f];
+    const std::size_t to = part.starts.empty() ? from + 3 : part.starts[f + 1];
+    text += "\nf";
+    for (std::size_t i = from; i < to; ++i) {
+        text += ' ' + std::to_string(firstVertex + part.corners[i]);
     }
 }
 
-void appendObj(std::string& text, const ExportPart& part, std::size_t first) {
-    constexpr std::array<std::string_view, 3> vertex{"\nv ", " ", " "};
-    scene::appendRows(text, part.xyz, vertex);
-    if (part.kind == ExportPart::Kind::faces) return appendFaces(text, part, first);
-    text += part.kind == ExportPart::Kind::line ? "\nl" : "\np";
-    for (std::size_t i = 0; i < part.count(); ++i) text += ' ' + std::to_string(first + i);
+void writeObjPart(ExportRun& run, const ExportPart& part, std::size_t firstVertex) {
+    const auto points = static_cast<double>(part.count());
+    run.work.loop(part.count(), 3 * points, [&run, &part](std::size_t first, std::size_t last) {
+        constexpr std::array<std::string_view, 3> vertex{"\nv ", " ", " "};
+        scene::appendRows(run.text, std::span(part.xyz).subspan(3 * first, 3 * (last - first)),
+                          vertex);
+    });
+    if (part.kind == ExportPart::Kind::faces) {
+        run.work.loop(facesOf(part), indexWeight * static_cast<double>(part.corners.size()),
+                      [&run, &part, firstVertex](std::size_t first, std::size_t last) {
+                          for (std::size_t f = first; f < last; ++f) {
+                              appendFace(run.text, part, f, firstVertex);
+                          }
+                      });
+        return;
+    }
+    run.work.loop(part.count(), indexWeight * points,
+                  [&run, &part, firstVertex](std::size_t first, std::size_t last) {
+                      if (first == 0) run.text += part.kind == ExportPart::Kind::line ? "\nl" : "\np";
+                      for (std::size_t i = first; i < last; ++i) {
+                          run.text += ' ' + std::to_string(firstVertex + i);
+                      }
+                  });
 }
 
-}  // namespace
+void writeObj(ExportRun& run) {
+    run.text += "# Knotwork";
+    const std::string* named = nullptr;
+    std::size_t firstVertex = 1;
+    for (const ExportPart& part : run.parts) {
+        if (named == nullptr || *named != part.name) {
+            run.work.step(0, [&run, &part] { run.text += "\no " + objName(part.name); });
+        }
+        named = &part.name;
+        writeObjPart(run, part, firstVertex);
+        firstVertex += part.count();
+    }
+    run.work.step(0, [&run] { run.text += '\n'; });
+}
 
-std::string exportJson(const scene::State& state) {
+// ---- The document ------------------------------------------------------------------------------
+
+std::string jsonText(const scene::State& state) {
     return scene::readableText(scene::writeDocument(state), scene::Notation::json) + '\n';
 }
 
-std::string exportJavaScript(const scene::State& state) {
+std::string javaScriptText(const scene::State& state) {
     std::string text = "import { load } from 'knotwork';\n\nconst kw = await load();\n";
     std::vector<std::string> names;
     for (const auto& object : state.objects) {
@@ -168,29 +220,17 @@ std::string exportJavaScript(const scene::State& state) {
     return text;
 }
 
-Result<std::string> exportCsv(const scene::State& state, const ExportOptions& options) {
-    const auto parts = exportParts(state, options);
-    if (!parts) return parts.error();
-    const CsvColumns columns{std::any_of(parts->begin(), parts->end(), isCurve),
-                             std::any_of(parts->begin(), parts->end(), isSurface)};
-    std::string text = columns.header();
-    for (const ExportPart& part : *parts) appendCsv(text, part, columns);
-    return text + '\n';
-}
+}  // namespace
 
-Result<std::string> exportObj(const scene::State& state, const ExportOptions& options) {
-    const auto parts = exportParts(state, options);
-    if (!parts) return parts.error();
-    std::string text = "# Knotwork";
-    const std::string* named = nullptr;
-    std::size_t first = 1;
-    for (const ExportPart& part : *parts) {
-        if (named == nullptr || *named != part.name) text += "\no " + objName(part.name);
-        named = &part.name;
-        appendObj(text, part, first);
-        first += part.count();
+void planText(ExportRun& run, ExportFormat format) {
+    switch (format) {
+        case ExportFormat::json:
+            return run.work.step(1, [&run] { run.text = jsonText(run.state); });
+        case ExportFormat::js:
+            return run.work.step(1, [&run] { run.text = javaScriptText(run.state); });
+        case ExportFormat::csv: return planParts(run, {}, [&run] { writeCsv(run); });
+        default: return planParts(run, {.corners = true}, [&run] { writeObj(run); });
     }
-    return text + '\n';
 }
 
 }  // namespace knotwork::drawing

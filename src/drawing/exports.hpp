@@ -8,12 +8,15 @@
 //   stl   triangles for printing, binary
 //   gltf  glTF 2.0 as one text, its numbers in it as base64; glb the same as one binary file
 //
-// Curves become polylines and surfaces triangles that are nowhere farther away than a tolerance.
+// Curves become polylines and surfaces triangles that are nowhere farther away than a tolerance. A
+// large scene takes seconds, so that exports are made in slices (sliced_work.hpp); written at once
+// they are the same to the byte.
 #pragma once
 
 #include "drawing/svg.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,18 +39,34 @@ struct ExportOptions {
     std::optional<double> tolerance{};
 };
 
-/// NOT_SUPPORTED at `format` for STL of a scene without faces, TOO_LARGE at `tolerance` where that
-/// would take too many points.
+struct ExportRun;
+
+/// An export that is made in slices, of the scene as it was when it began. Whoever drops it before its
+/// end leaves nothing behind.
+class SceneExport {
+public:
+    SceneExport(scene::State state, const SvgOptions& picture);
+    SceneExport(scene::State state, ExportFormat format, const ExportOptions& options);
+    SceneExport(SceneExport&&) noexcept;
+    SceneExport& operator=(SceneExport&&) noexcept;
+    ~SceneExport();
+
+    /// Goes on by about so many numbers that are written as text. Whether anything is left to do.
+    /// A refusal is NOT_SUPPORTED at `format` for STL of a scene without faces, TOO_LARGE at
+    /// `tolerance` where that would take too many points.
+    Result<bool> advance(double numbers);
+    [[nodiscard]] double fraction() const noexcept;
+    /// What has been written since the last call.
+    [[nodiscard]] std::string take();
+    /// The rest of it at once.
+    [[nodiscard]] Result<std::string> finish();
+
+private:
+    std::unique_ptr<ExportRun> run_;
+};
+
+/// All of it at once.
 [[nodiscard]] Result<std::string> exportScene(const scene::State& state, ExportFormat format,
                                               const ExportOptions& options);
-
-// One each; what they are made of is in export_parts.hpp.
-[[nodiscard]] std::string exportJson(const scene::State& state);
-[[nodiscard]] std::string exportJavaScript(const scene::State& state);
-[[nodiscard]] Result<std::string> exportCsv(const scene::State& state, const ExportOptions& options);
-[[nodiscard]] Result<std::string> exportObj(const scene::State& state, const ExportOptions& options);
-[[nodiscard]] Result<std::string> exportStl(const scene::State& state, const ExportOptions& options);
-[[nodiscard]] Result<std::string> exportGltf(const scene::State& state, const ExportOptions& options);
-[[nodiscard]] Result<std::string> exportGlb(const scene::State& state, const ExportOptions& options);
 
 }  // namespace knotwork::drawing

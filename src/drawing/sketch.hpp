@@ -87,6 +87,8 @@ void drawHandles(Sketch& sketch, std::span<const Vec3> points);
 
 /// Puts shapes of a sketch where the object stands, in its colour of the moment.
 void placeShapes(std::span<Shape> shapes, const Affine& placement, const Colour& colour, bool dark);
+/// Adds the shapes of an object, the figure and its functions, to a drawing.
+void drawObject(Drawing& drawing, const scene::Placed& placed, int number, const Options& options);
 /// The tolerance in the units of an object that stands so: the same at rest.
 [[nodiscard]] double ownTolerance(double tolerance, const Affine& placement) noexcept;
 

@@ -1,8 +1,10 @@
 #include "drawing/svg.hpp"
 
+#include "drawing/export_parts.hpp"
 #include "drawing/extent.hpp"
 #include "drawing/outlook.hpp"
 #include "drawing/screen.hpp"
+#include "drawing/sketch.hpp"
 #include "drawing/svg_plots.hpp"
 #include "drawing/svg_shapes.hpp"
 #include "drawing/svg_theme.hpp"
@@ -10,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 namespace knotwork::drawing {
 
@@ -46,19 +49,6 @@ std::optional<Aim> cameraAim(const Outlook& outlook, const Orientation& orientat
     const Vec3 middle = outlook.centre ? orientation * *outlook.centre
                                        : (bounds.min + bounds.max) * 0.5;
     return Aim{middle.x, middle.y, frame.height / outlook.height};
-}
-
-Bounds seenBounds(const Drawing& drawing, const Orientation& orientation) {
-    Bounds bounds;
-    for (const Shape& shape : drawing.shapes) {
-        if (shape.pane != Pane::curve) continue;
-        for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
-            const double* p = shape.positions.data() + i;
-            const Vec3 seen = orientation * Vec3(p[0], p[1], p[2]);
-            if (isFinite(seen)) bounds.add(seen);
-        }
-    }
-    return bounds;
 }
 
 /// Units of the world that a pixel takes, or a little less.
@@ -109,32 +99,113 @@ void background(XmlWriter& xml, const SvgOptions& options) {
     xml.end();
 }
 
+/// A picture on its way. The loops keep it.
+class PictureWriter {
+public:
+    PictureWriter(ExportRun& run, const SvgOptions& options)
+        : run_(run), options_(options), xml_(decimalsFor(options)),
+          tolerance_(toleranceOf(run.state) * pixelSize(run.state, options)),
+          placed_(scene::place(run.state, options.moment)) {}
+
+    static void plan(const std::shared_ptr<PictureWriter>& self) {
+        self->run_.flush = [self] { self->run_.text += self->xml_.take(); };
+        SlicedWork& work = self->run_.work;
+        double drawn = 0;
+        for (std::size_t i = 0; i < self->placed_.size(); ++i) {
+            const double weight = drawWeight(self->placed_[i].body);
+            drawn += weight;
+            work.step(weight, [self, i] { self->draw(i); });
+        }
+        work.step(writingWeight * drawn, [self] { self->frame(self); });
+    }
+
+private:
+    static constexpr double anyWeight = 20'000;   // of a curve or surface, drawn
+    static constexpr double vertexWeight = 4;     // of a mesh, drawn
+    static constexpr double writingWeight = 5;    // of what has been drawn
+
+    static double drawWeight(const scene::Body& body) noexcept {
+        const auto* mesh = body.subdivision();
+        if (mesh == nullptr) return anyWeight;
+        return vertexWeight * static_cast<double>(mesh->refined.points().size());
+    }
+
+    void draw(std::size_t i) {
+        const bool dark = svgColours(options_.theme).dark;
+        drawObject(drawing_, placed_[i], static_cast<int>(i),
+                   {.moment = options_.moment, .tolerance = tolerance_, .dark = dark});
+    }
+
+    /// All that comes after the drawing.
+    void frame(const std::shared_ptr<PictureWriter>& self) {
+        SlicedWork& work = run_.work;
+        outlook_ = outlookOf(run_.state, drawing_.bounds);
+        orientation_ = orientationOf(outlook_);
+        double positions = 0;
+        for (const Shape& shape : drawing_.shapes) {
+            const auto count = static_cast<double>(shape.positions.size());
+            positions += count;
+            work.loop(shape.positions.size() / 3, 0.05 * count,
+                      [self, &shape](std::size_t first, std::size_t last) {
+                          self->see(shape, first, last);
+                      });
+        }
+        work.step(writingWeight * positions, [self] { self->write(self); });
+    }
+
+    void see(const Shape& shape, std::size_t first, std::size_t last) noexcept {
+        if (shape.pane != Pane::curve) return;
+        for (std::size_t i = first; i < last; ++i) {
+            const Vec3 seen = orientation_ * positionAt(shape, i);
+            if (isFinite(seen)) seen_.add(seen);
+        }
+    }
+
+    void write(const std::shared_ptr<PictureWriter>& self) {
+        layout_ = svgLayout({0, 0, options_.width, options_.height}, drawing_, options_.panes);
+        const Frame& frame = layout_.curve;
+        const Aim aim =
+            cameraAim(outlook_, orientation_, seen_, frame).value_or(aimAt(seen_, frame));
+        const PanePicture picture{Pane::curve, screenOf(orientation_, aim, frame), options_.theme,
+                                  -1, -1, frame};
+        beginPicture(xml_, run_.state, options_);
+        background(xml_, options_);
+        if (frame.height > 0) {
+            xml_.begin("g").attribute("class", "knotwork-pane").attribute("data-pane", "curve");
+            xml_.attribute("data-matrix", matrixText(picture.screen));
+            planShapes(run_.work, xml_, drawing_, run_.state, picture);
+            run_.work.step(0, [self] { self->xml_.end(); });
+        }
+        run_.work.step(anyWeight, [self] { self->end(); });
+    }
+
+    void end() {
+        writePlots(xml_, drawing_, run_.state, layout_, orientation_, options_.theme);
+        xml_.end();
+    }
+
+    ExportRun& run_;
+    SvgOptions options_;
+    XmlWriter xml_;
+    double tolerance_;
+    std::vector<scene::Placed> placed_;
+    Drawing drawing_;
+    Outlook outlook_;
+    Orientation orientation_;
+    Bounds seen_;
+    SvgLayout layout_;
+};
+
 }  // namespace
 
-std::string svg(const scene::State& state, const SvgOptions& options) {
-    const Drawing drawing = draw(state, {.moment = options.moment,
-                                         .tolerance = toleranceOf(state) * pixelSize(state, options),
-                                         .dark = svgColours(options.theme).dark});
-    const Outlook outlook = outlookOf(state, drawing.bounds);
-    const Orientation orientation = orientationOf(outlook);
-    const Bounds bounds = seenBounds(drawing, orientation);
-    const SvgLayout layout = svgLayout({0, 0, options.width, options.height}, drawing, options.panes);
-    const Frame& frame = layout.curve;
-    const Aim aim = cameraAim(outlook, orientation, bounds, frame).value_or(aimAt(bounds, frame));
-    const PanePicture picture{Pane::curve, screenOf(orientation, aim, frame), options.theme, -1, -1, frame};
+void planPicture(ExportRun& run, const SvgOptions& picture) {
+    run.work.step(0, [&run, picture] {
+        PictureWriter::plan(std::make_shared<PictureWriter>(run, picture));
+    });
+}
 
-    XmlWriter xml(decimalsFor(options));
-    beginPicture(xml, state, options);
-    background(xml, options);
-    if (frame.height > 0) {
-        xml.begin("g").attribute("class", "knotwork-pane").attribute("data-pane", "curve");
-        xml.attribute("data-matrix", matrixText(picture.screen));
-        writeShapes(xml, drawing, state, picture);
-        xml.end();
-    }
-    writePlots(xml, drawing, state, layout, orientation, options.theme);
-    xml.end();
-    return xml.take();
+std::string svg(const scene::State& state, const SvgOptions& options) {
+    return SceneExport(state, options).finish().value();  // a picture is never refused
 }
 
 }  // namespace knotwork::drawing

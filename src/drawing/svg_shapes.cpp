@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace knotwork::drawing {
 
@@ -59,17 +61,26 @@ private:
     std::string start_;
 };
 
+// What things weigh, in numbers written as text (sliced_work.hpp).
+constexpr double pointWeight = 8;   // an element of its own
+constexpr double cornerWeight = 2;  // of a path
+constexpr double exactWeight = 20'000;  // a curve as a path
+
 class ShapeWriter {
 public:
-    ShapeWriter(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
-                const PanePicture& picture)
-        : xml_(xml), drawing_(drawing), state_(state), picture_(picture),
+    ShapeWriter(SlicedWork& work, XmlWriter& xml, const Drawing& drawing,
+                const scene::State& state, const PanePicture& picture)
+        : work_(work), xml_(xml), drawing_(drawing), state_(state), picture_(picture),
           colours_(svgColours(picture.theme)) {}
 
-    void write() {
-        for (std::size_t i = 0; i < drawing_.shapes.size();) {
-            const std::size_t end = runEnd(i, [](const Shape&, const Shape&) { return true; });
-            if (picture_.shows(drawing_.shapes[i])) object(i, end);
+    /// The loops keep the writer.
+    static void plan(const std::shared_ptr<ShapeWriter>& self) {
+        const std::vector<Shape>& shapes = self->drawing_.shapes;
+        for (std::size_t i = 0; i < shapes.size();) {
+            const std::size_t end = self->runEnd(i, [](const Shape&, const Shape&) { return true; });
+            if (self->picture_.shows(shapes[i])) {
+                self->work_.step(self->weightOf(i, end), [self, i, end] { self->object(self, i, end); });
+            }
             i = end;
         }
     }
@@ -98,36 +109,77 @@ private:
                            [](const Shape& shape) { return shape.kind == Kind::triangles; });
     }
 
-    void object(std::size_t first, std::size_t last) {
+    [[nodiscard]] static double weightOf(const Shape& shape) noexcept {
+        const std::size_t corners = shape.positions.size() / 3 + shape.indices.size();
+        const double each = shape.kind == Kind::points ? pointWeight : cornerWeight;
+        return each * static_cast<double>(corners) + (shape.source ? exactWeight : 0);
+    }
+    [[nodiscard]] double weightOf(std::size_t first, std::size_t last) const noexcept {
+        double weight = 0;
+        for (std::size_t i = first; i < last; ++i) weight += weightOf(drawing_.shapes[i]);
+        return weight;
+    }
+
+    void object(const std::shared_ptr<ShapeWriter>& self, std::size_t first, std::size_t last) {
         const scene::Object& object =
             *state_.objects[static_cast<std::size_t>(drawing_.shapes[first].object)];
         xml_.begin("g").attribute("class", "knotwork-object").attribute("data-object", object.id);
         xml_.attribute("data-type", scene::stringOr(object.spec, "type", ""));
         const bool solid = isSolid(first, last);
         if (solid) {
-            writeSolid(xml_, std::span(drawing_.shapes).subspan(first, last - first), picture_);
+            planSolid(work_, xml_, std::span(drawing_.shapes).subspan(first, last - first), picture_);
         }
         while (first < last) {
             const std::size_t end = runEnd(first, [](const Shape& a, const Shape& b) {
                 return a.role == b.role && a.kind == b.kind;
             });
-            if (!solid || !belongsToSolid(drawing_.shapes[first])) role(first, end);
+            if (!solid || !belongsToSolid(drawing_.shapes[first])) {
+                work_.step(0, [self, first] { self->beginRole(first); });
+                for (std::size_t i = first; i < end; ++i) planShape(self, i, {first, end});
+                work_.step(0, [self] { self->xml_.end(); });
+            }
             first = end;
         }
-        xml_.end();
+        work_.step(0, [self] { self->xml_.end(); });
     }
 
-    void role(std::size_t first, std::size_t last) {
+    /// Shapes of one role, and with it of one kind.
+    struct RoleRun {
+        std::size_t first = 0;
+        std::size_t last = 0;
+    };
+
+    void beginRole(std::size_t first) {
         const Shape& model = drawing_.shapes[first];
         const std::string name(roleName(model.role));
         xml_.begin("g").attribute("class", "knotwork-" + name).attribute("data-role", name);
         switch (model.kind) {
-            case Kind::polyline: lines(first, last); break;
-            case Kind::points: points(first, last); break;
-            case Kind::label: labels(first, last); break;
+            case Kind::polyline: beginLines(model); break;
+            case Kind::points: beginPoints(model); break;
+            case Kind::label: beginLabels(); break;
             case Kind::triangles: break;
         }
-        xml_.end();
+    }
+
+    void planShape(const std::shared_ptr<ShapeWriter>& self, std::size_t i, const RoleRun& role) {
+        const Shape& shape = drawing_.shapes[i];
+        const Shape& model = drawing_.shapes[role.first];
+        const double weight = weightOf(shape);
+        switch (shape.kind) {
+            case Kind::polyline:
+                return work_.step(weight, [self, &shape, &model, role] {
+                    self->line(self, shape, model, role.last - role.first > 1);
+                });
+            case Kind::points:
+                return work_.loop(shape.positions.size() / 3, weight,
+                                  [self, &shape, &model](std::size_t first, std::size_t last) {
+                                      for (std::size_t k = first; k < last; ++k) {
+                                          self->point(shape, self->at(shape, k), model);
+                                      }
+                                  });
+            case Kind::label: return work_.step(1, [self, &shape] { self->label(shape); });
+            case Kind::triangles: break;
+        }
     }
 
     [[nodiscard]] Vec3 at(const Shape& shape, std::size_t i) const noexcept {
@@ -146,42 +198,53 @@ private:
         if (shape.colour.alpha < 1) xml_.number("fill-opacity", shape.colour.alpha);
     }
 
-    void lines(std::size_t first, std::size_t last) {
-        const Shape& model = drawing_.shapes[first];
+    void beginLines(const Shape& model) {
         xml_.attribute("fill", "none");
         stroke(model);
         xml_.attribute("stroke-linecap", "round").attribute("stroke-linejoin", "round");
-        for (std::size_t i = first; i < last; ++i) {
-            const Shape& shape = drawing_.shapes[i];
-            xml_.begin("path");
-            if (last - first > 1) xml_.attribute("data-index", std::to_string(shape.index));
-            if (shape.colour != model.colour || shape.width != model.width) stroke(shape);
-            if (shape.dashed) xml_.attribute("stroke-dasharray", "6 5");
-            xml_.attribute("d", pathOf(shape));
-            xml_.end();
-        }
     }
 
-    [[nodiscard]] std::string pathOf(const Shape& shape) const {
+    void line(const std::shared_ptr<ShapeWriter>& self, const Shape& shape, const Shape& model,
+              bool numbered) {
+        xml_.begin("path");
+        if (numbered) xml_.attribute("data-index", std::to_string(shape.index));
+        if (shape.colour != model.colour || shape.width != model.width) stroke(shape);
+        if (shape.dashed) xml_.attribute("stroke-dasharray", "6 5");
         if (shape.source != nullptr) {
             const CurvePart& part = *shape.source;
             const auto steps = curvePath(
                 {part.curve, part.part, compose(picture_.screen, part.placement)}, cubicTolerance);
-            if (steps.size() <= mostExactSteps) return pathOf(steps);
+            if (steps.size() <= mostExactSteps) return endLine(pathOf(steps));
         }
-        PathData path(xml_.decimals());
-        for (std::size_t i = 0; i + 1 < shape.indices.size(); i += 2) {
-            path.move(at(shape, shape.indices[i]));
-            path.line(at(shape, shape.indices[i + 1]));
-        }
-        if (!shape.indices.empty()) return path.take();
-        for (std::size_t i = 0; 3 * i < shape.positions.size(); ++i) {
-            const Vec3 p = at(shape, i);
-            if (i == 0) path.move(p);
-            else path.line(p);
-        }
-        path.close();
-        return path.take();
+        planPolyline(self, shape);
+    }
+
+    void endLine(const std::string& data) {
+        xml_.attribute("d", data);
+        xml_.end();
+    }
+
+    void planPolyline(const std::shared_ptr<ShapeWriter>& self, const Shape& shape) {
+        const auto path = std::make_shared<PathData>(xml_.decimals());
+        const bool runs = shape.indices.empty();
+        const std::size_t count = runs ? shape.positions.size() / 3 : shape.indices.size() / 2;
+        work_.loop(count, weightOf(shape), [self, &shape, path, runs](std::size_t first,
+                                                                     std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                if (!runs) {
+                    path->move(self->at(shape, shape.indices[2 * i]));
+                    path->line(self->at(shape, shape.indices[2 * i + 1]));
+                } else if (i == 0) {
+                    path->move(self->at(shape, i));
+                } else {
+                    path->line(self->at(shape, i));
+                }
+            }
+        });
+        work_.step(0, [self, path, runs] {
+            if (runs) path->close();
+            self->endLine(path->take());
+        });
     }
 
     [[nodiscard]] std::string pathOf(const std::vector<PathStep>& steps) const {
@@ -197,21 +260,12 @@ private:
         return path.take();
     }
 
-    void points(std::size_t first, std::size_t last) {
-        const Shape& model = drawing_.shapes[first];
+    void beginPoints(const Shape& model) {
         fill(model);
         xml_.attribute("stroke", colours_.border).number("stroke-width", borderWidth);
-        for (std::size_t i = first; i < last; ++i) {
-            const Shape& shape = drawing_.shapes[i];
-            for (std::size_t k = 0; 3 * k < shape.positions.size(); ++k) {
-                point(shape, at(shape, k));
-                if (shape.colour != model.colour) fill(shape);
-                xml_.end();
-            }
-        }
     }
 
-    void point(const Shape& shape, const Vec3& p) {
+    void point(const Shape& shape, const Vec3& p, const Shape& model) {
         const auto size = static_cast<double>(shape.width);
         if (shape.square) {
             xml_.begin("rect").number("x", p.x - size / 2).number("y", p.y - size / 2);
@@ -219,6 +273,8 @@ private:
         } else {
             xml_.begin("circle").number("cx", p.x).number("cy", p.y).number("r", size / 2);
         }
+        if (shape.colour != model.colour) fill(shape);
+        xml_.end();
     }
 
     /// The middle of a text, moved so that all of the text is in the picture.
@@ -236,36 +292,43 @@ private:
     }
 
     /// Words with a rim of the ground's colour, so that they can be read on lines.
-    void labels(std::size_t first, std::size_t last) {
+    void beginLabels() {
         xml_.attribute("fill", colours_.ink).attribute("stroke", colours_.ground);
         xml_.number("stroke-width", 3).attribute("stroke-linejoin", "round");
         xml_.attribute("paint-order", "stroke").attribute("text-anchor", "middle");
         xml_.attribute("font-family", "sans-serif").number("font-size", fontSize);
-        for (std::size_t i = first; i < last; ++i) {
-            const Shape& shape = drawing_.shapes[i];
-            if (shape.positions.size() < 3) continue;
-            // The middle of the letters, not their baseline, is where the label is.
-            constexpr double baseline = 0.35 * fontSize;
-            const bool beside = shape.offset[1] != 0 || shape.offset[0] != 0;
-            const Vec3 p = inFrame(at(shape, 0) + Vec3(shape.offset[0], shape.offset[1], 0),
-                                   shape.text);
-            xml_.begin("text").number("x", p.x).number("y", p.y + (beside ? baseline : 0));
-            xml_.text(shape.text);
-        }
     }
 
+    void label(const Shape& shape) {
+        if (shape.positions.size() < 3) return;
+        // The middle of the letters, not their baseline, is where the label is.
+        constexpr double baseline = 0.35 * fontSize;
+        const bool beside = shape.offset[1] != 0 || shape.offset[0] != 0;
+        const Vec3 p = inFrame(at(shape, 0) + Vec3(shape.offset[0], shape.offset[1], 0), shape.text);
+        xml_.begin("text").number("x", p.x).number("y", p.y + (beside ? baseline : 0));
+        xml_.text(shape.text);
+    }
+
+    SlicedWork& work_;
     XmlWriter& xml_;
     const Drawing& drawing_;
     const scene::State& state_;
-    const PanePicture& picture_;
+    PanePicture picture_;
     const SvgColours& colours_;
 };
 
 }  // namespace
 
+void planShapes(SlicedWork& work, XmlWriter& xml, const Drawing& drawing,
+                const scene::State& state, const PanePicture& picture) {
+    ShapeWriter::plan(std::make_shared<ShapeWriter>(work, xml, drawing, state, picture));
+}
+
 void writeShapes(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
                  const PanePicture& picture) {
-    ShapeWriter(xml, drawing, state, picture).write();
+    SlicedWork work;
+    planShapes(work, xml, drawing, state, picture);
+    work.finish();
 }
 
 }  // namespace knotwork::drawing

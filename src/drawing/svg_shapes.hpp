@@ -4,6 +4,7 @@
 #include "drawing/screen.hpp"
 #include "drawing/svg.hpp"
 #include "drawing/xml.hpp"
+#include "geometry/sliced_work.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -28,7 +29,11 @@ struct PanePicture {
     }
 };
 
-/// A group for each run of shapes of one object, and in it one for each run of one role.
+/// Has a group written for each run of shapes of one object, and in it one for each run of one role.
+/// What it is given by reference, but for the picture, must outlive the work.
+void planShapes(SlicedWork& work, XmlWriter& xml, const Drawing& drawing,
+                const scene::State& state, const PanePicture& picture);
+/// The same at once.
 void writeShapes(XmlWriter& xml, const Drawing& drawing, const scene::State& state,
                  const PanePicture& picture);
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,6 +46,56 @@ struct Piece {
 };
 
 using Triangle = std::array<Vec3, 3>;
+
+/// Which piece is how deep: what is sorted in place of the pieces themselves.
+struct Place {
+    double depth = 0;
+    std::uint32_t piece = 0;
+
+    /// Of equally deep ones the former is painted first.
+    friend bool operator<(const Place& a, const Place& b) noexcept {
+        return a.depth < b.depth || (a.depth == b.depth && a.piece < b.piece);
+    }
+};
+
+/// Sorts them in slices: runs of a fixed length each, and then pairs of runs merged, until one is left.
+class PlaceSort {
+public:
+    std::vector<Place> places;
+
+    /// `self` is kept as long as it takes.
+    static void plan(const std::shared_ptr<PlaceSort>& self, SlicedWork& work) {
+        const std::size_t count = self->places.size();
+        self->merged_.resize(count);
+        const double pass = sortWeight * static_cast<double>(count);
+        work.loop((count + runLength - 1) / runLength, 13 * pass,
+                  [self](std::size_t first, std::size_t last) {
+                      for (std::size_t k = first; k < last; ++k) self->sortRun(k * runLength);
+                  });
+        for (std::size_t length = runLength; length < count; length *= 2) {
+            const std::size_t pairs = (count + 2 * length - 1) / (2 * length);
+            work.loop(pairs, pass, [self, length](std::size_t first, std::size_t last) {
+                for (std::size_t k = first; k < last; ++k) self->merge(2 * k * length, length);
+            });
+            work.step(0, [self] { self->places.swap(self->merged_); });
+        }
+    }
+
+private:
+    static constexpr std::size_t runLength = 8192;
+    static constexpr double sortWeight = 0.04;
+
+    [[nodiscard]] auto at(std::size_t i) noexcept {
+        return places.begin() + static_cast<std::ptrdiff_t>(std::min(i, places.size()));
+    }
+    void sortRun(std::size_t first) { std::sort(at(first), at(first + runLength)); }
+    void merge(std::size_t first, std::size_t length) {
+        std::merge(at(first), at(first + length), at(first + length), at(first + 2 * length),
+                   merged_.begin() + static_cast<std::ptrdiff_t>(first));
+    }
+
+    std::vector<Place> merged_;
+};
 
 /// Where something is painted, its stroke included.
 struct Extent {
@@ -120,27 +172,79 @@ std::optional<std::array<Vec3, 4>> joined(const Triangle& a, const Triangle& b) 
     return std::nullopt;
 }
 
+// What things weigh, in numbers written as text (sliced_work.hpp).
+constexpr double facetWeight = 1;
+constexpr double layerWeight = 4;   // a piece that looks for its layer
+constexpr double pathWeight = 5;    // a piece that is written
+
 class SolidWriter {
 public:
-    SolidWriter(XmlWriter& xml, const PanePicture& picture) : xml_(xml), picture_(picture) {}
+    SolidWriter(SlicedWork& work, XmlWriter& xml, const PanePicture& picture)
+        : work_(work), xml_(xml), picture_(picture) {}
 
-    void write(std::span<const Shape> shapes) {
+    /// The loops keep the writer.
+    static void plan(const std::shared_ptr<SolidWriter>& self, std::span<const Shape> shapes) {
+        double corners = 0;
         for (const Shape& shape : shapes) {
-            if (shape.kind == Kind::triangles) facets(shape);
+            if (shape.kind != Kind::triangles) continue;
+            corners += self->planCorners(shape, [self, &shape](std::size_t last) {
+                self->facets(shape, last);
+            });
         }
         for (const Shape& shape : shapes) {
-            if (belongsToSolid(shape) && shape.kind == Kind::polyline) line(shape);
+            if (!belongsToSolid(shape) || shape.kind != Kind::polyline) continue;
+            corners += self->planCorners(shape, [self, &shape](std::size_t last) {
+                self->line(shape, last);
+            });
         }
-        std::stable_sort(pieces_.begin(), pieces_.end(),
-                         [](const Piece& a, const Piece& b) { return a.depth < b.depth; });
-        for (const Piece& piece : pieces_) layer(piece);
-        xml_.begin("g").attribute("class", "knotwork-solid").attribute("fill", "none");
-        xml_.attribute("stroke-linecap", "round").attribute("stroke-linejoin", "round");
-        for (const Layer& one : layers_) path(one);
-        xml_.end();
+        self->work_.step((layerWeight + pathWeight) / 4 * corners, [self] { planPieces(self); });
     }
 
 private:
+    /// A loop over the corners of a shape, which goes on to the last of a slice or a little farther.
+    template <class Run>
+    double planCorners(const Shape& shape, Run run) {
+        const std::size_t count = cornerCount(shape);
+        const auto weight = static_cast<double>(count);
+        work_.loop(count, facetWeight * weight, [this, run](std::size_t first, std::size_t last) {
+            if (first == 0) corner_ = 0;
+            run(last);
+        });
+        return weight;
+    }
+
+    static void planPieces(const std::shared_ptr<SolidWriter>& self) {
+        const auto sort = std::make_shared<PlaceSort>();
+        sort->places.reserve(self->pieces_.size());
+        for (const Piece& piece : self->pieces_) {
+            sort->places.push_back({piece.depth, static_cast<std::uint32_t>(sort->places.size())});
+        }
+        PlaceSort::plan(sort, self->work_);
+        const std::size_t count = self->pieces_.size();
+        const auto pieces = static_cast<double>(count);
+        self->work_.loop(count, layerWeight * pieces,
+                         [self, sort](std::size_t first, std::size_t last) {
+                             for (std::size_t i = first; i < last; ++i) {
+                                 self->layer(self->pieces_[sort->places[i].piece]);
+                             }
+                         });
+        self->work_.step(pathWeight * pieces, [self] { planPaths(self); });
+    }
+
+    static void planPaths(const std::shared_ptr<SolidWriter>& self) {
+        XmlWriter& xml = self->xml_;
+        xml.begin("g").attribute("class", "knotwork-solid").attribute("fill", "none");
+        xml.attribute("stroke-linecap", "round").attribute("stroke-linejoin", "round");
+        self->work_.loop(self->layers_.size(),
+                         pathWeight * static_cast<double>(self->pieces_.size()),
+                         [self](std::size_t first, std::size_t last) {
+                             for (std::size_t k = first; k < last; ++k) {
+                                 self->path(self->layers_[k]);
+                             }
+                         });
+        self->work_.step(0, [self] { self->xml_.end(); });
+    }
+
     [[nodiscard]] Vec3 at(const Shape& shape, std::size_t i) const noexcept {
         const double* p = shape.positions.data() + 3 * i;
         return picture_.screen.point({p[0], p[1], p[2]});
@@ -160,9 +264,10 @@ private:
         return t;
     }
 
-    /// Cells of a grid come as two triangles, one after the other.
-    void facets(const Shape& shape) {
-        for (std::size_t i = 0; i < cornerCount(shape); i += 3) {
+    /// From where the last slice has ended. Cells of a grid come as two triangles, one after the other.
+    void facets(const Shape& shape, std::size_t last) {
+        for (; corner_ < last; corner_ += 3) {
+            const std::size_t i = corner_;
             const auto first = triangle(shape, i);
             if (!first) continue;
             measure(*first);
@@ -174,7 +279,7 @@ private:
             }
             measure(*second);
             facet(shape, i, *both, 4, areaOf(*first) + areaOf(*second));
-            i += 3;
+            corner_ += 3;
         }
     }
 
@@ -213,14 +318,15 @@ private:
                          picture_.theme);
     }
 
-    /// In pieces no longer than a triangle, each before the triangles that it lies on.
-    void line(const Shape& shape) {
+    /// From where the last slice has ended: in pieces no longer than a triangle, each before the
+    /// triangles that it lies on.
+    void line(const Shape& shape, std::size_t last) {
         const std::string paint = svgColour(shape.colour, picture_.theme);
         const double longest = std::max(longest_, 1.0);
         const std::size_t step = shape.indices.empty() ? 1 : 2;
-        for (std::size_t i = 1; i < cornerCount(shape); i += step) {
-            const Vec3 from = corner(shape, i - 1);
-            const Vec3 to = corner(shape, i);
+        for (; corner_ + 1 < cornerCount(shape) && corner_ < last; corner_ += step) {
+            const Vec3 from = corner(shape, corner_);
+            const Vec3 to = corner(shape, corner_ + 1);
             if (!isFinite(from + to)) continue;
             const double length = std::hypot(to.x - from.x, to.y - from.y);
             const auto count = static_cast<std::size_t>(std::clamp(
@@ -285,13 +391,16 @@ private:
         xml_.end();
     }
 
+    SlicedWork& work_;
     XmlWriter& xml_;
-    const PanePicture& picture_;
+    PanePicture picture_;
+    std::size_t corner_ = 0;  ///< of the shape that is looked at
     std::vector<Piece> pieces_;
     std::vector<Layer> layers_;
     double longest_ = 0;   ///< side of a triangle in the picture
     double thickest_ = 0;  ///< depth of one
 };
+
 }  // namespace
 
 bool belongsToSolid(const Shape& shape) noexcept {
@@ -300,8 +409,9 @@ bool belongsToSolid(const Shape& shape) noexcept {
             (shape.role == Role::isoline || shape.role == Role::wireframe));
 }
 
-void writeSolid(XmlWriter& xml, std::span<const Shape> shapes, const PanePicture& picture) {
-    SolidWriter(xml, picture).write(shapes);
+void planSolid(SlicedWork& work, XmlWriter& xml, std::span<const Shape> shapes,
+               const PanePicture& picture) {
+    SolidWriter::plan(std::make_shared<SolidWriter>(work, xml, picture), shapes);
 }
 
 }  // namespace knotwork::drawing

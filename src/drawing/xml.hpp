@@ -31,7 +31,7 @@ public:
     void text(std::string_view content);
 
     [[nodiscard]] int decimals() const noexcept { return decimals_; }
-    [[nodiscard]] std::string take() { return std::move(text_); }
+    [[nodiscard]] std::string take() { return std::exchange(text_, std::string()); }
 
 private:
     int decimals_;

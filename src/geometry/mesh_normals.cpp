@@ -1,4 +1,4 @@
-#include "geometry/mesh.hpp"
+#include "geometry/mesh_normals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,11 +58,12 @@ Vec3 unitOrZero(const Vec3& v) noexcept {
 
 }  // namespace
 
-void vertexNormals(const Mesh& mesh, std::span<double> xyz) noexcept {
-    std::fill(xyz.begin(), xyz.end(), 0.0);
-    const FaceGeometry geometry{mesh.points(), scaleOf(mesh.points())};
-    const FaceRows faces = mesh.faces();
-    for (std::size_t f = 0; f < faces.count(); ++f) {
+NormalSums::NormalSums(const Mesh& mesh) noexcept : mesh_(mesh), scale_(scaleOf(mesh.points())) {}
+
+void NormalSums::add(std::size_t first, std::size_t last, std::span<double> xyz) const noexcept {
+    const FaceGeometry geometry{mesh_.points(), scale_};
+    const FaceRows faces = mesh_.faces();
+    for (std::size_t f = first; f < last; ++f) {
         const auto face = faces[f];
         const Vec3 normal = unitOrZero(faceNormal(geometry, face));
         std::uint32_t former = face.back();
@@ -77,12 +78,21 @@ void vertexNormals(const Mesh& mesh, std::span<double> xyz) noexcept {
             former = vertex;
         }
     }
+}
+
+void NormalSums::normalise(std::span<double> xyz) noexcept {
     for (std::size_t at = 0; at < xyz.size(); at += 3) {
         const Vec3 normal = unitOrZero({xyz[at], xyz[at + 1], xyz[at + 2]});
         xyz[at] = normal.x;
         xyz[at + 1] = normal.y;
         xyz[at + 2] = normal.z;
     }
+}
+
+void vertexNormals(const Mesh& mesh, std::span<double> xyz) noexcept {
+    std::fill(xyz.begin(), xyz.end(), 0.0);
+    NormalSums(mesh).add(0, mesh.faces().count(), xyz);
+    NormalSums::normalise(xyz);
 }
 
 }  // namespace knotwork

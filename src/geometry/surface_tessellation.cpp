@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -174,40 +176,69 @@ double expectedCells(const Surface& surface, const Rectangle& cell, double toler
     return least;
 }
 
-/// Cells within the tolerance, halved from those between the knots; empty where they are too many.
-std::vector<Rectangle> cellsWithin(const Surface& surface, double tolerance) {
-    const ClosedDirections closed = closedDirections(surface);
-    const Rectangle whole = domain(surface);
-    const auto us = startsOf(whole.u, breaksU(surface), closed.u);
-    const auto vs = startsOf(whole.v, breaksV(surface), closed.v);
-    std::vector<Rectangle> open;
-    for (std::size_t i = 0; i + 1 < us.size(); ++i) {
-        for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
-            open.push_back({{us[i], us[i + 1]}, {vs[j], vs[j + 1]}});
-            if (expectedCells(surface, open.back(), tolerance) > hopeless) return {};
+/// Cells within the tolerance, halved from those between the knots.
+class Cells {
+public:
+    Cells(const Surface& surface, double tolerance)
+        : surface_(surface), tolerance_(tolerance), whole_(domain(surface)) {
+        const ClosedDirections closed = closedDirections(surface);
+        const auto us = startsOf(whole_.u, breaksU(surface), closed.u);
+        const auto vs = startsOf(whole_.v, breaksV(surface), closed.v);
+        for (std::size_t i = 0; i + 1 < us.size(); ++i) {
+            for (std::size_t j = 0; j + 1 < vs.size(); ++j) {
+                open_.push_back({{us[i], us[i + 1]}, {vs[j], vs[j + 1]}});
+                if (expectedCells(surface, open_.back(), tolerance) > hopeless) {
+                    open_.clear();
+                    return;
+                }
+            }
         }
     }
-    std::vector<Rectangle> done;
-    while (!open.empty()) {
-        if (open.size() + done.size() > mostTriangleVertices) return {};
-        const Rectangle cell = open.back();
-        open.pop_back();
-        const Bends bends = bendsOf(surface, cell, tolerance);
+
+    /// Looks at so many cells at most. Whether there are more to look at.
+    bool look(std::size_t count) {
+        for (; count > 0 && !open_.empty(); --count) {
+            if (open_.size() + done_.size() > mostTriangleVertices) {
+                giveUp();
+                break;
+            }
+            const Rectangle cell = open_.back();
+            open_.pop_back();
+            lookAt(cell);
+        }
+        return !open_.empty();
+    }
+
+    /// Those that were found; none where they are too many.
+    [[nodiscard]] const std::vector<Rectangle>& done() const noexcept { return done_; }
+
+private:
+    void lookAt(const Rectangle& cell) {
+        const Bends bends = bendsOf(surface_, cell, tolerance_);
         const bool alongU = bends.uu != bends.vv ? bends.uu > bends.vv
-                                                 : cell.u.length() / whole.u.length() >=
-                                                       cell.v.length() / whole.v.length();
-        if (errorOf(bends) <= tolerance || !divisible(alongU ? cell.u : cell.v)) {
-            done.push_back(cell);
+                                                 : cell.u.length() / whole_.u.length() >=
+                                                       cell.v.length() / whole_.v.length();
+        if (errorOf(bends) <= tolerance_ || !divisible(alongU ? cell.u : cell.v)) {
+            done_.push_back(cell);
         } else if (alongU) {
-            open.push_back({firstHalf(cell.u), cell.v});
-            open.push_back({secondHalf(cell.u), cell.v});
+            open_.push_back({firstHalf(cell.u), cell.v});
+            open_.push_back({secondHalf(cell.u), cell.v});
         } else {
-            open.push_back({cell.u, firstHalf(cell.v)});
-            open.push_back({cell.u, secondHalf(cell.v)});
+            open_.push_back({cell.u, firstHalf(cell.v)});
+            open_.push_back({cell.u, secondHalf(cell.v)});
         }
     }
-    return done;
-}
+    void giveUp() noexcept {
+        open_.clear();
+        done_.clear();
+    }
+
+    const Surface& surface_;
+    double tolerance_;
+    Rectangle whole_;
+    std::vector<Rectangle> open_;
+    std::vector<Rectangle> done_;
+};
 
 /// All corners of the cells, each once, by lines of either direction. The end of a closed direction
 /// is its start.
@@ -329,6 +360,61 @@ private:
     SurfaceTriangles made_;
 };
 
+// What things weigh, in tenths of a microsecond.
+constexpr double cellWeight = 40;    // its bounds
+constexpr double cornerWeight = 10;  // a point and a normal
+constexpr double fillWeight = 5;     // triangles of a cell
+constexpr std::size_t cellsAtOnce = 256;
+constexpr double usualCells = 4096;  // as long as nothing is known
+
+/// A triangulation on its way. The loops keep it.
+class Triangulation {
+public:
+    Triangulation(SlicedWork& work, const Surface& surface, double tolerance,
+                  std::function<void(Result<SurfaceTriangles>)> done)
+        : work_(work), surface_(surface), tolerance_(tolerance), done_(std::move(done)),
+          cells_(surface_, tolerance), builder_(surface_) {}
+
+    static void plan(const std::shared_ptr<Triangulation>& self) {
+        self->work_.step(cellWeight * usualCells, [self] {
+            if (self->cells_.look(cellsAtOnce)) return plan(self);
+            if (self->cells_.done().empty()) return self->done_(tooMany(self->tolerance_));
+            self->planCorners(self);
+        });
+    }
+
+private:
+    void planCorners(const std::shared_ptr<Triangulation>& self) {
+        const auto& cells = cells_.done();
+        corners_.emplace(domain(surface_), closedDirections(surface_), cells);
+        const auto& all = corners_->all();
+        const auto loop = [this](std::size_t count, double weight, SlicedWork::Run run) {
+            work_.loop(count, weight * static_cast<double>(count), std::move(run));
+        };
+        loop(all.size(), cornerWeight, [self, &all](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                self->builder_.add(all[i].first, all[i].second);
+            }
+        });
+        loop(cells.size(), fillWeight, [self, &cells](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                self->corners_->polygon(cells[i], self->polygon_);
+                self->builder_.fill(cells[i], self->polygon_);
+            }
+        });
+        work_.step(0, [self] { self->done_(self->builder_.take()); });
+    }
+
+    SlicedWork& work_;
+    Surface surface_;
+    double tolerance_;
+    std::function<void(Result<SurfaceTriangles>)> done_;
+    Cells cells_;
+    Builder builder_;
+    std::optional<Corners> corners_;
+    std::vector<std::uint32_t> polygon_;
+};
+
 // ---- Isolines ----------------------------------------------------------------------------------
 
 [[nodiscard]] SurfacePlace placeOn(const Surface& surface, const Isoline& line, double t) {
@@ -347,18 +433,19 @@ void append(std::vector<double>& xyz, const Vec3& point) {
 
 }  // namespace
 
+void planTriangles(SlicedWork& work, const Surface& surface, double tolerance,
+                   std::function<void(Result<SurfaceTriangles>)> done) {
+    Triangulation::plan(
+        std::make_shared<Triangulation>(work, surface, tolerance, std::move(done)));
+}
+
 Result<SurfaceTriangles> trianglesWithin(const Surface& surface, double tolerance) {
-    const std::vector<Rectangle> cells = cellsWithin(surface, tolerance);
-    if (cells.empty()) return tooMany(tolerance);
-    const Corners corners(domain(surface), closedDirections(surface), cells);
-    Builder builder(surface);
-    for (const Key& corner : corners.all()) builder.add(corner.first, corner.second);
-    std::vector<std::uint32_t> polygon;
-    for (const Rectangle& cell : cells) {
-        corners.polygon(cell, polygon);
-        builder.fill(cell, polygon);
-    }
-    return builder.take();
+    SlicedWork work;
+    Result<SurfaceTriangles> made = SurfaceTriangles{};
+    planTriangles(work, surface, tolerance,
+                  [&made](Result<SurfaceTriangles> result) { made = std::move(result); });
+    work.finish();
+    return made;
 }
 
 std::vector<double> isolinePoints(const Surface& surface, const Isoline& line, std::size_t count) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace knotwork {
@@ -314,6 +315,60 @@ Polyline corners(const Curve& curve, const Interval& part) {
     return line;
 }
 
+// What things weigh, in tenths of a microsecond.
+constexpr double pieceWeight = 100;  // its bounds
+constexpr double chordWeight = 5;
+
+Error tooManyPoints(double tolerance) {
+    return refuse(Code::tooLarge, "tolerance",
+                  "A tolerance of " + formatNumber(tolerance) + " takes more than " +
+                      std::to_string(mostPolylinePoints) +
+                      " points on this curve; give a larger one.");
+}
+
+/// A polyline on its way. The loops keep it.
+class Maker {
+public:
+    Maker(SlicedWork& work, const Curve& curve, double tolerance,
+          std::function<void(Result<Polyline>)> done)
+        : work_(work), curve_(curve), tolerance_(tolerance), done_(std::move(done)),
+          pieces_(smoothPieces(curve_, domain(curve_))),
+          planner_(curve_, tolerance, std::max(mostPolylinePoints, 2 * pieces_.size())) {}
+
+    static void plan(const std::shared_ptr<Maker>& self) {
+        const std::size_t count = self->pieces_.size();
+        self->work_.loop(count, pieceWeight * static_cast<double>(count),
+                         [self](std::size_t first, std::size_t last) {
+                             for (std::size_t i = first; i < last && !self->tooMany_; ++i) {
+                                 self->tooMany_ = !self->planner_.piece(self->pieces_[i]);
+                             }
+                         });
+        self->work_.step(pieceWeight * static_cast<double>(count), [self] { self->write(self); });
+    }
+
+private:
+    void write(const std::shared_ptr<Maker>& self) {
+        if (tooMany_) return done_(tooManyPoints(tolerance_));
+        writer_.emplace(curve_, tolerance_, planner_.total() + pieces_.size() + 1);
+        const auto& chords = planner_.plan();
+        work_.loop(chords.size(), chordWeight * static_cast<double>(planner_.total()),
+                   [self, &chords](std::size_t first, std::size_t last) {
+                       for (std::size_t i = first; i < last; ++i) self->writer_->chords(chords[i]);
+                   });
+        work_.step(0, [self] { self->done_(self->writer_->take()); });
+    }
+
+    SlicedWork& work_;
+    Curve curve_;
+    double tolerance_;
+    std::function<void(Result<Polyline>)> done_;
+    std::vector<Interval> pieces_;
+    Planner planner_;
+    bool tooMany_ = false;
+    std::optional<Writer> writer_;
+};
+
+/// The same at once, for pictures that are made many times a second.
 std::optional<Polyline> withAtMost(const Curve& curve, const Interval& part, double tolerance,
                                    std::size_t most) {
     if (curve.as<SubdivisionCurve>() != nullptr) return corners(curve, part);
@@ -332,10 +387,13 @@ std::optional<Polyline> withAtMost(const Curve& curve, const Interval& part, dou
 Result<Polyline> polylineWithin(const Curve& curve, double tolerance) {
     auto line = withAtMost(curve, domain(curve), tolerance, mostPolylinePoints);
     if (line) return *std::move(line);
-    return refuse(Code::tooLarge, "tolerance",
-                  "A tolerance of " + formatNumber(tolerance) + " takes more than " +
-                      std::to_string(mostPolylinePoints) +
-                      " points on this curve; give a larger one.");
+    return tooManyPoints(tolerance);
+}
+
+void planPolyline(SlicedWork& work, const Curve& curve, double tolerance,
+                  std::function<void(Result<Polyline>)> done) {
+    if (curve.as<SubdivisionCurve>() != nullptr) return done(corners(curve, domain(curve)));
+    Maker::plan(std::make_shared<Maker>(work, curve, tolerance, std::move(done)));
 }
 
 Polyline polyline(const Curve& curve, double tolerance) {

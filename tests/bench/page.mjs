@@ -168,11 +168,51 @@ const drag = (what, atMost, address, document) => async (running) => {
     ];
 };
 
+/** What shows no long task has none of more than this, in milliseconds: browsers tell no shorter ones. */
+const shortest = 50;
+
+/**
+ * The longest task of the page's one thread while it does something with the torus.
+ * @param {string} what
+ * @param {number} atMost milliseconds
+ * @param {(figure: any) => Promise<unknown>} act
+ * @returns {(running: any) => Promise<Measured[]>}
+ */
+const longestTask = (what, atMost, act) => async (running) => {
+    const page = await opened(running, '#rose', fineTorus());
+    const doing = await page.evaluateHandle(`(${act})`);
+    const value = await page.evaluate(async ([act, least]) => {
+        const tasks = [least];
+        const observer = new PerformanceObserver((list) => tasks.push(...list.getEntries().map(({ duration }) => duration)));
+        const settled = () => new Promise((done) => { setTimeout(done, 1000); });
+        await settled();
+        observer.observe({ type: 'longtask' });
+        const figure = document.querySelector('knotwork-figure');
+        // In a task of the page: one of the debugger's is not told of.
+        await new Promise((done, failed) => { setTimeout(() => act(figure).then(done, failed)); });
+        await settled();
+        return Math.max(...tasks);
+    }, [doing, shortest]);
+    await page.context().close();
+    return [{ name: `${what} of 102 400 faces, longest task`, unit: 'ms', value, atMost }];
+};
+
 const measurements = [
     { name: 'page: first picture', measure: firstPicture },
     { name: 'page: butterfly', measure: animation },
     { name: 'page: blending-surface', measure: drag('blending-surface', 8, '#blending-surface') },
     { name: 'page: Catmull–Clark', measure: drag('Catmull–Clark of 102 400 faces', 25, '#subdivision-surfaces', fineTorus()) },
+    { name: 'page: export SVG', measure: longestTask('SVG', 100, (figure) => figure.exportAs('svg', {})) },
+    { name: 'page: export OBJ', measure: longestTask('OBJ', 100, (figure) => figure.exportAs('obj', {})) },
+    { name: 'page: export glTF', measure: longestTask('glTF', 100, (figure) => figure.exportAs('gltf', {})) },
+    {
+        name: 'page: level',
+        measure: longestTask('a level more, which makes a mesh', 100, async (figure) => {
+            figure.scene.execute({ set: 'objects[0].levels', value: 1 });
+            await new Promise((done) => { setTimeout(done, 500); });
+            figure.scene.execute({ set: 'objects[0].levels', value: 4 });
+        }),
+    },
 ];
 
 /** @param {Measured} row @returns {boolean} whether its limit is kept */

@@ -474,3 +474,31 @@ test('an export leaves nothing behind', () => {
     assert.ok(Math.abs(kw.session.memoryInUse() - before) <= 64);
 });
 
+
+test('an export in slices is the same to the byte, whatever becomes of the scene meanwhile', () => {
+    const mesh = { id: 'm', type: 'subdivision-surface', scheme: 'catmull-clark', levels: 4, mesh: { solid: 'cube' } };
+    for (const format of /** @type {const} */ (['svg', 'json', 'js', 'csv', 'obj', 'stl', 'gltf', 'glb'])) {
+        const scene = sceneOf(mesh, { type: 'bspline-curve', degree: 3, points: randomPoints(7, 2) });
+        const whole = scene.exportAs(format);
+        const work = scene.exporting(format);
+        const chunks = [];
+        let slices = 0;
+        for (let [more, former] = [true, 0]; more; slices += 1) {
+            const slice = work.advance(1000);
+            assert.ok(slice.fraction >= former && slice.fraction <= 1);
+            chunks.push(slice.bytes);
+            if (slices === 0) scene.execute({ set: 'objects[0].levels', value: 1 });
+            if (slices === 1) scene.dispose();
+            [more, former] = [slice.more, slice.fraction];
+        }
+        work.dispose();
+        const written = Buffer.concat(chunks);
+        assert.deepEqual(written, Buffer.from(whole), format);
+        if (!['json', 'js'].includes(format)) assert.ok(slices > 4, `${format}: ${slices} slices`);
+        refuses(() => work.advance(), 'DISPOSED', '');
+    }
+    refuses(() => sceneOf(mesh).exporting('doc'), 'UNKNOWN_NAME', 'format');
+    refuses(() => sceneOf(mesh).exporting('obj', { width: 3 }), 'UNKNOWN_FIELD', 'width');
+    const curves = sceneOf({ type: 'line-curve', from: [0, 0], to: [1, 1] }).exporting('stl');
+    refuses(() => { while (curves.advance().more); }, 'NOT_SUPPORTED', 'format');
+});

@@ -13,6 +13,13 @@ const blend = {
 };
 const patch = { type: 'bspline-surface', degree: [2, 1], points: [0, 1, 2].map((i) => [0, 1, 2].map((j) => [i, j, i * j])) };
 const curveless = { scheme: 'chaikin', points: cubic.points, levels: 7 };
+const solids = {
+    knotwork: 1,
+    objects: [
+        { type: 'subdivision-surface', scheme: 'catmull-clark', levels: 3, mesh: { solid: 'cube' } },
+        { type: 'parametric-surface', name: 'torus' }, cubic,
+    ],
+};
 const scene = { knotwork: 1, objects: [cubic, blend], effects: [{ target: 'c1', kind: 'rotate' }] };
 
 const lives = {
@@ -50,6 +57,15 @@ const lives = {
         again.edges.at(-1);
         again.dispose();
         mesh.dispose();
+    }],
+    'exports that are dropped half way': [200, () => {
+        const shown = kw.scene(solids);
+        for (const format of /** @type {const} */ (['svg', 'obj', 'glb', 'gltf'])) {
+            const work = shown.exporting(format);
+            while (work.advance(500).fraction < 0.5);
+            work.dispose();
+        }
+        shown.dispose();
     }],
     'meshes by their text': [2000, () => {
         const mesh = kw.mesh({ solid: 'cube' });
