@@ -335,7 +335,7 @@ export class Figure {
         const read = new Reading(scene);
         this.#refreshToolbar();
         this.controls.showScene(read);
-        this.panes.update(read);
+        this.panes.update(scene);
         if (read.revision === this.#toldRevision) return;
         const opened = this.#toldRevision < 0;
         this.#toldRevision = read.revision;

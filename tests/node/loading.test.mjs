@@ -67,10 +67,10 @@ test('the functions of load() need no this', async () => {
     assert.equal(scene({ knotwork: 1, objects: [] }).canUndo, false);
 });
 
-test('the headless module stays below 570 KB when compressed', async () => {
+test('the headless module stays below 590 KB when compressed', async () => {
     const { gzipSync } = await import('node:zlib');
     const files = await Promise.all(['knotwork.wasm', 'knotwork.mjs'].map((name) => readFile(new URL(name, distribution))));
     const sizes = files.map((bytes) => gzipSync(bytes, { level: 9 }).length);
-    assert.ok(sizes[0] < 570_000, `knotwork.wasm has ${sizes[0]} bytes compressed`);
+    assert.ok(sizes[0] < 590_000, `knotwork.wasm has ${sizes[0]} bytes compressed`);
     assert.ok(sizes[1] < 30_000, `knotwork.mjs has ${sizes[1]} bytes compressed`);
 });
