@@ -42,6 +42,8 @@ import { makeApi } from './api.mjs';
  * @property {(id: number) => string} takeEvents
  * @property {(id: number) => string} selection
  * @property {(id: number, path: string) => void} select
+ * @property {(id: number) => boolean} selectAll
+ * @property {(id: number, gathering: boolean) => void} setGathering
  * @property {(id: number) => string} held
  * @property {(id: number, step: number) => void} setStep
  * @property {(id: number, dx: number, dy: number, dz: number) => boolean} shift

@@ -71,13 +71,19 @@ public:
     std::string labels(int id) const;
     /// What people did since the last call: [{ type, source, path, command }].
     std::string takeEvents(int id);
-    /// { object, id, path, kind, index, position } or null.
+    /// { object, id, path, kind, index, position, paths } or null; of a group the former tell of
+    /// one, and `paths` has all.
     std::string selection(int id) const;
     void select(int id, const std::string& path);
+    /// All points, or all handles, of an object; see View.
+    bool selectAll(int id);
+    /// Whether clicks add to what is selected and drags beside it draw a band; see View.
+    void setGathering(int id, bool gathering);
     /// What is selected, for fields over the picture: { path, kind, number, count, pixel, step,
     /// value } or null. `number` of `count` of its kind, `pixel` where it is seen, `step` of the
     /// arrow keys; of a local curve or patch also its name `local` and whether it is in space, and
-    /// the value is { translate, angle, scale }.
+    /// the value is { translate, angle, scale }. Of a group the kind is `group`, `of` that of its
+    /// members, `count` how many they are, and the value their centre.
     std::string held(int id);
     /// Of the arrow keys, in units; 0 lets the zoom decide.
     void setStep(int id, double step);

@@ -111,6 +111,15 @@ void App::select(int id, const std::string& path) {
     if (View* view = parts_->view(id)) view->select(path);
 }
 
+bool App::selectAll(int id) {
+    View* view = parts_->view(id);
+    return view != nullptr && view->selectAll();
+}
+
+void App::setGathering(int id, bool gathering) {
+    if (View* view = parts_->view(id)) view->setGathering(gathering);
+}
+
 std::string App::held(int id) {
     View* view = parts_->view(id);
     return view != nullptr ? view->held() : "null";

@@ -39,6 +39,16 @@ bool Editor::run(Json command, std::string_view source) {
     return true;
 }
 
+bool Editor::runAnew(Json command, std::string_view source) {
+    if (!scene_) return false;
+    const bool further = inGesture() && !lastCommand_.is_null();
+    // Someone else has changed the scene meanwhile: what began before that is over.
+    if (further && !scene_->cancelGesture(gesture_)) return false;
+    if (run(std::move(command), source)) return true;
+    if (further) static_cast<void>(scene_->execute(lastCommand_));
+    return false;
+}
+
 bool Editor::undo(std::string_view source) {
     if (!scene_ || !scene_->undo()) return false;
     report(true, source, "", Json{{"undo", true}});

@@ -27,6 +27,9 @@ public:
     /// Executes; refused commands change nothing and are not reported. Within a gesture they are
     /// reported as `input`, alone as `change`.
     bool run(scene::Json command, std::string_view source);
+    /// The same in the place of all that the gesture has done so far: for commands that say what
+    /// happens since it began. A refused one leaves what the one before it did.
+    bool runAnew(scene::Json command, std::string_view source);
     bool undo(std::string_view source);
     bool redo(std::string_view source);
     /// Reports what someone else (the panel) did.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace knotwork::app {
 
@@ -22,11 +23,13 @@ bool rules(const Target& target) noexcept {
 /// The element that basis function `index` of this shape belongs to stands out.
 bool isPointedAt(const Shape& shape, const Emphasis& emphasis) noexcept {
     if (shape.object == emphasis.basisObject && shape.index == emphasis.basisIndex) return true;
-    const auto belongs = [&](const std::optional<Target>& target) {
+    const auto belongs = [&](const std::optional<Target>& target) noexcept {
         return target && rules(*target) && target->object == shape.object &&
                static_cast<int>(target->index) == shape.index;
     };
-    return emphasis.hovered ? belongs(emphasis.hovered) : belongs(emphasis.selected);
+    if (emphasis.hovered) return belongs(emphasis.hovered);
+    return belongs(emphasis.selected) ||
+           std::any_of(emphasis.others.begin(), emphasis.others.end(), belongs);
 }
 
 bool anyElement(const Emphasis& emphasis, int object) noexcept {
@@ -42,6 +45,9 @@ void markElements(Painted& result, const Emphasis& emphasis) {
     if (!kind || shape.kind != drawing::Kind::points) return;
     if (emphasis.selected && emphasis.selected->list == shape.path) {
         result.marks.push_back({emphasis.selected->index, 1});
+    }
+    for (const Target& other : emphasis.others) {
+        if (other.list == shape.path) result.marks.push_back({other.index, 1});
     }
     if (emphasis.hovered && emphasis.hovered->list == shape.path) {
         result.marks.push_back({emphasis.hovered->index, hoverStrength});
@@ -60,14 +66,22 @@ struct Ruler {
     bool knot = false;
 };
 
-std::optional<Ruler> ruler(const Emphasis& emphasis) noexcept {
+Ruler rulerOf(const Target& target) noexcept {
+    return {target.object, target.index, rowOf(target.list), target.kind == TargetKind::knot};
+}
+
+/// What is pointed at, or else all that is selected.
+std::vector<Ruler> rulers(const Emphasis& emphasis) {
     if (emphasis.basisObject >= 0) {
-        return Ruler{emphasis.basisObject, static_cast<std::size_t>(emphasis.basisIndex)};
+        return {Ruler{emphasis.basisObject, static_cast<std::size_t>(emphasis.basisIndex)}};
     }
     const auto& target = emphasis.hovered ? emphasis.hovered : emphasis.selected;
-    if (!target || target->kind == TargetKind::line) return std::nullopt;
-    return Ruler{target->object, target->index, rowOf(target->list),
-                 target->kind == TargetKind::knot};
+    if (!target || target->kind == TargetKind::line) return {};
+    std::vector<Ruler> all{rulerOf(*target)};
+    if (emphasis.hovered && !emphasis.groups(*emphasis.hovered)) return all;
+    if (emphasis.hovered && emphasis.selected) all.push_back(rulerOf(*emphasis.selected));
+    for (const Target& other : emphasis.others) all.push_back(rulerOf(other));
+    return all;
 }
 
 const scene::Placed* placedOf(const std::vector<scene::Placed>& placed,
@@ -144,28 +158,26 @@ void addParameterLines(Figure& figure, const FigureRequest& request) {
     }
 }
 
-/// What the ruler rules of a curve, wide and faint.
-std::optional<Shape> ruledStretch(const scene::Placed& placed, const Ruler& ruling, bool dark) {
+/// What the rulers rule of a curve, wide and faint, each part once.
+void addRuledStretches(PaneFigure& pane, const scene::Placed& placed,
+                       const std::vector<Ruler>& ruling, bool dark) {
     const Curve& curve = *placed.body.curve();
-    const auto interval = ruling.knot ? ruledByKnot(curve, ruling.index)
-                                      : ruledInterval(curve, ruling.index);
-    if (!interval) return std::nullopt;
-    Shape stretch = stretchOf(placed, *interval, stretchPoints);
-    stretch.width = static_cast<float>(placed.object->style.width + 9);
-    stretch.colour.alpha = dark ? 0.34 : 0.22;
-    return stretch;
+    std::vector<Interval> parts;
+    for (const Ruler& one : ruling) {
+        const auto part = one.knot ? ruledByKnot(curve, one.index)
+                                   : ruledInterval(curve, one.index);
+        if (part) parts.push_back(*part);
+    }
+    for (const Interval& part : joined(std::move(parts), domain(curve).length())) {
+        Shape stretch = stretchOf(placed, part, stretchPoints);
+        stretch.width = static_cast<float>(placed.object->style.width + 9);
+        stretch.colour.alpha = dark ? 0.34 : 0.22;
+        pane.below.push_back(std::move(stretch));
+    }
 }
 
-void addRuled(PaneFigure& pane, const FigureRequest& request,
-              const std::vector<scene::Placed>& all, const Ruler& ruling) {
-    const scene::Placed* placed = placedOf(all, *request.state, ruling.object);
-    if (placed == nullptr) return;
-    if (placed->body.curve() != nullptr) {
-        if (auto stretch = ruledStretch(*placed, ruling, request.dark)) {
-            pane.below.push_back(std::move(*stretch));
-        }
-        return;
-    }
+void addRuled(PaneFigure& pane, const FigureRequest& request, const scene::Placed* placed,
+              const Ruler& ruling) {
     std::optional<Shape> lines;
     if (const Surface* surface = placed->body.surface()) {
         if (const auto part = ruledRectangle(*surface, ruling.row, ruling.index)) {
@@ -178,6 +190,22 @@ void addRuled(PaneFigure& pane, const FigureRequest& request,
     lines->colour = coloursOf(request).accent;
     lines->width = lines->role == drawing::Role::isoline ? 2.0F : 3.5F;
     pane.below.push_back(std::move(*lines));
+}
+
+/// The parts of all objects that are ruled.
+void addAllRuled(PaneFigure& pane, const FigureRequest& request,
+                 const std::vector<scene::Placed>& all, const std::vector<Ruler>& ruling) {
+    std::map<int, std::vector<Ruler>> byObject;
+    for (const Ruler& one : ruling) byObject[one.object].push_back(one);
+    for (const auto& [object, rulers] : byObject) {
+        const scene::Placed* placed = placedOf(all, *request.state, object);
+        if (placed == nullptr) continue;
+        if (placed->body.curve() != nullptr) {
+            addRuledStretches(pane, *placed, rulers, request.dark);
+            continue;
+        }
+        for (const Ruler& one : rulers) addRuled(pane, request, placed, one);
+    }
 }
 
 /// The same parameter on the hodograph of the object.
@@ -222,6 +250,12 @@ void addDot(Figure& figure, const FigureRequest& request, const std::vector<scen
 
 }  // namespace
 
+bool Emphasis::groups(const Target& target) const noexcept {
+    const auto same = [&](const Target& one) noexcept { return one.same(target); };
+    return !others.empty() && selected &&
+           (same(*selected) || std::any_of(others.begin(), others.end(), same));
+}
+
 Painted painted(const Shape& shape, const Emphasis& emphasis) {
     Painted result{&shape, 1, 0, {}};
     if (shape.pane == Pane::basis && shape.kind == drawing::Kind::polyline) {
@@ -238,12 +272,12 @@ Painted painted(const Shape& shape, const Emphasis& emphasis) {
 void addEmphasis(Figure& figure, const FigureRequest& request) {
     addParameterLines(figure, request);
     if (figure.panes.empty() || figure.panes.front().plot.pane != Pane::curve) return;
-    const auto ruling = ruler(request.emphasis);
+    const std::vector<Ruler> ruling = rulers(request.emphasis);
     const auto shown = shownParameter(figure, request.emphasis);
     const bool dotted = shown && shown->ofCurve;
-    if (!ruling && !dotted) return;
+    if (ruling.empty() && !dotted) return;
     const auto placed = scene::place(*request.state, request.moment);
-    if (ruling) addRuled(figure.panes.front(), request, placed, *ruling);
+    addAllRuled(figure.panes.front(), request, placed, ruling);
     if (dotted) addDot(figure, request, placed, *shown);
 }
 

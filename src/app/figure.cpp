@@ -126,9 +126,29 @@ void addReading(PaneFigure& pane, const Reading& reading, const ui::Theme& colou
     pane.plot.labels.push_back(std::move(label));
 }
 
+/// The rim of what a pointer draws a band round.
+Shape bandShape(const Box& band, const PaneFigure& pane, const ui::Theme& colours) {
+    Shape rim;
+    rim.object = -1;
+    rim.role = drawing::Role::handle;
+    rim.colour = colours.accent;
+    rim.width = 1.25F;
+    rim.dashed = true;
+    const std::array<Pixel, 5> corners{Pixel{band.x, band.y}, Pixel{band.right(), band.y},
+                                       Pixel{band.right(), band.bottom()},
+                                       Pixel{band.x, band.bottom()}, Pixel{band.x, band.y}};
+    for (const Pixel& corner : corners) {
+        const Vec3 p = pane.sight.fromPixels(corner, pane.middle);
+        rim.positions.insert(rim.positions.end(), {p.x, p.y, p.z});
+    }
+    return rim;
+}
+
 /// The tool at the selected handle, its arrows named.
 void addGizmo(PaneFigure& pane, const Gizmo& gizmo, const FigureRequest& request) {
-    pane.tools = gizmoShapes(gizmo, pane.sight, request.emphasis.part, request.dark);
+    for (Shape& shape : gizmoShapes(gizmo, pane.sight, request.emphasis.part, request.dark)) {
+        pane.tools.push_back(std::move(shape));
+    }
     constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
     const Pixel at = pane.sight.toPixels(gizmo.at);
     for (int axis = 0; axis < 3; ++axis) {
@@ -185,6 +205,7 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
         }
     }
     if (request.ghost != nullptr) pane.below = *request.ghost;
+    if (request.band) pane.tools.push_back(bandShape(*request.band, pane, colours));
     if (request.reading) addReading(pane, *request.reading, colours);
     if (request.gizmo) addGizmo(pane, *request.gizmo, request);
     figure.panes.push_back(std::move(pane));

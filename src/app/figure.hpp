@@ -22,6 +22,10 @@ namespace knotwork::app {
 struct Emphasis {
     std::optional<Target> hovered;
     std::optional<Target> selected;
+    /// Of a group: all that is selected besides.
+    std::vector<Target> others;
+    /// Whether it is one of several that are selected.
+    [[nodiscard]] bool groups(const Target& target) const noexcept;
     /// A basis function that is pointed at: object and index.
     int basisObject = -1;
     int basisIndex = -1;
@@ -97,6 +101,7 @@ struct FigureRequest {
     std::optional<Reading> reading;
     const std::vector<Shape>* ghost = nullptr;  ///< what is dragged as it was before
     ui::Shares shares;  ///< of panes whose seams were moved
+    std::optional<Box> band;  ///< that a pointer draws round what it selects
 };
 
 /// The panes that the document asks for, and the one of the curve, which stands where there is no

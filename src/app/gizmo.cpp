@@ -162,6 +162,17 @@ private:
 
 }  // namespace
 
+int facingAxis(const Gizmo& gizmo, const Sight& sight) noexcept {
+    int best = 2;
+    for (int k = 0; k < 2; ++k) {
+        const auto towards = [&](int axis) {
+            return std::abs(glm::dot(gizmo.axes[static_cast<std::size_t>(axis)], sight.towardsEye()));
+        };
+        if (towards(k) > towards(best) + 1e-9) best = k;
+    }
+    return best;
+}
+
 std::optional<Gizmo> gizmoOf(const scene::State& state, const Target& target,
                              const Affine& placement, bool inPlane, const Box& within) {
     if (target.kind != TargetKind::pose || target.object < 0 ||

@@ -31,6 +31,9 @@ struct Gizmo {
     Box within;  ///< that it should not leave
 };
 
+/// The axis that points most towards the eye: to turn about it is what a click or key can show.
+[[nodiscard]] int facingAxis(const Gizmo& gizmo, const Sight& sight) noexcept;
+
 /// That of a target that is a handle.
 [[nodiscard]] std::optional<Gizmo> gizmoOf(const scene::State& state, const Target& target,
                                            const Affine& placement, bool inPlane,

@@ -67,6 +67,21 @@ std::optional<Interval> ruledByKnot(const Curve& curve, std::size_t index) noexc
     return ruled.length() > 0 ? std::optional(ruled) : std::nullopt;
 }
 
+std::vector<Interval> joined(std::vector<Interval> parts, double whole) {
+    std::sort(parts.begin(), parts.end(),
+              [](const Interval& a, const Interval& b) { return a.start < b.start; });
+    std::vector<Interval> apart;
+    for (const Interval& part : parts) {
+        if (apart.empty() || part.start > apart.back().end) {
+            apart.push_back(part);
+        } else {
+            apart.back().end = std::max(apart.back().end, part.end);
+        }
+    }
+    for (Interval& part : apart) part.end = std::min(part.end, part.start + whole);
+    return apart;
+}
+
 std::optional<Rectangle> ruledRectangle(const Surface& surface, std::size_t row,
                                         std::size_t index) noexcept {
     if (const auto* spline = surface.as<BsplineSurface>()) {

@@ -4,6 +4,7 @@
 #include "app/target.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace knotwork::app {
 
@@ -12,6 +13,10 @@ namespace knotwork::app {
 [[nodiscard]] std::optional<Interval> ruledInterval(const Curve& curve, std::size_t index) noexcept;
 /// The same of a knot: where the functions differ that stand on it.
 [[nodiscard]] std::optional<Interval> ruledByKnot(const Curve& curve, std::size_t index) noexcept;
+
+/// The same parameters as intervals that do not overlap, in ascending order; of a closed curve at
+/// most the whole of its period.
+[[nodiscard]] std::vector<Interval> joined(std::vector<Interval> parts, double whole);
 
 /// The parameters over which a point of a net or a patch has a say in the surface. `row` is the
 /// point's, `index` its place in the row or the number of the patch.

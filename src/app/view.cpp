@@ -232,6 +232,7 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.reading = reading();
     request.ghost = &ghost_;
     request.shares = shares_;
+    request.band = band();
     if (heldPart_) request.emphasis.part = heldPart_;
     return request;
 }
@@ -273,6 +274,12 @@ void View::followSelection(const drawing::Drawing& drawing) {
     for (auto* target : {&emphasis_.selected, &emphasis_.hovered}) {
         if (*target) *target = findTarget(drawing, (*target)->path());
     }
+    if (!grouped()) return;
+    std::vector<Target> found;
+    for (const Target& target : chosen()) {
+        if (const auto now = findTarget(drawing, target.path())) found.push_back(*now);
+    }
+    choose(std::move(found));
 }
 
 Affine View::placementOf(int object) const {
@@ -309,6 +316,7 @@ const Figure* View::figure() {
 
 std::optional<Gizmo> View::gizmo() const {
     const auto& target = emphasis_.selected;
+    if (grouped()) return groupGizmo();
     if (readOnly_ || !target || target->kind != TargetKind::pose) return std::nullopt;
     return gizmoOf(scene()->state(), *target, placementOf(target->object), !spatial_,
                    layout_.curve.value_or(box()));
@@ -316,7 +324,7 @@ std::optional<Gizmo> View::gizmo() const {
 
 void View::select(std::string_view path) {
     if (scene() == nullptr) return;
-    emphasis_.selected.reset();
+    choose({});
     if (figure() != nullptr && !path.empty()) emphasis_.selected = findTarget(drawing(), path);
     touch();
 }
@@ -334,6 +342,7 @@ std::string View::selection() const {
     json["kind"] = kindName(target.kind);
     json["index"] = target.index;
     json["position"] = Json::array({target.at.x, target.at.y, target.at.z});
+    for (const Target& one : chosen()) json["paths"].push_back(one.path());
     return scene::dumpJson(json);
 }
 

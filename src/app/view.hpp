@@ -8,6 +8,7 @@
 #include "app/drag.hpp"
 #include "app/editor.hpp"
 #include "app/figure.hpp"
+#include "app/group_drag.hpp"
 #include "app/picture.hpp"
 #include "drawing/outlook.hpp"
 
@@ -74,6 +75,12 @@ public:
         return emphasis_.selected;
     }
     void select(std::string_view path);
+    /// All points or handles of the object that something is selected of, or of the first that has
+    /// some.
+    bool selectAll();
+    /// While gathering a click adds to what is selected or takes it out, and a drag of a hand or
+    /// finger over the background draws a band round what it selects; Ctrl or Shift do the same.
+    void setGathering(bool gathering) noexcept { gathering_ = gathering; }
     [[nodiscard]] std::string selection() const;
 
     /// What is selected, for hands that cannot hold it: App::held.
@@ -105,7 +112,7 @@ public:
     [[nodiscard]] std::uint64_t drawingsMade() const noexcept { return picture_.made(); }
 
 private:
-    enum class Hold { nothing, pressedTarget, dragging, pressedEmpty, panning, orbiting };
+    enum class Hold { nothing, pressedTarget, dragging, pressedEmpty, panning, orbiting, banding };
 
     [[nodiscard]] const scene::Scene* scene() const noexcept { return editor_.scene(); }
     [[nodiscard]] Box box() const noexcept;
@@ -128,16 +135,37 @@ private:
     bool follow(const PointerInput& input);
     bool release(const PointerInput& input);
     void dragTo(const PointerInput& input);
+    /// Whether a click adds to what is selected.
+    [[nodiscard]] bool joins() const noexcept {
+        return gathering_ || (pressedWith_ & (shiftKey | commandKey)) != 0;
+    }
     bool beginDrag();
+    bool beginSingleDrag(const PaneFigure& pane);
     [[nodiscard]] std::optional<Gizmo> gizmo() const;
     [[nodiscard]] std::optional<Reading> reading() const;
+    [[nodiscard]] std::optional<Reading> groupReading() const;
     void rememberShape();
     [[nodiscard]] std::optional<GizmoPart> partUnder(const Pixel& at, double radius,
                                                      const std::optional<Target>& target) const;
+    void wander(const PointerInput& input);
     void letGo();
     void hover(const PointerInput& input);
     void point(const Emphasis& at);
     void noteClick(const PointerInput& input);
+
+    // view_group.cpp
+    [[nodiscard]] bool grouped() const noexcept { return !emphasis_.others.empty(); }
+    [[nodiscard]] std::vector<Target> chosen() const;
+    [[nodiscard]] bool isChosen(const Target& target) const noexcept;
+    void choose(std::vector<Target> targets);
+    void take(const Target& target, bool joins);
+    [[nodiscard]] Group group(double pixel) const;
+    [[nodiscard]] std::optional<Gizmo> groupGizmo() const;
+    bool beginGroupDrag(const PaneFigure& pane);
+    void beginBand();
+    void drawBand();
+    [[nodiscard]] std::optional<Box> band() const noexcept;
+    bool extend(int step);
 
     // view_editing.cpp
     bool doubleClick(const PointerInput& input, const std::optional<Target>& target);
@@ -153,8 +181,14 @@ private:
     bool turn(const Vec3& direction);
     bool selectNeighbour(int step);
     bool zoomKey(double factor);
+    bool turnSelected(double angle);
+    bool scaleSelected(double factor);
+    [[nodiscard]] std::optional<PosedLocal> selectedLocal() const;
+    void poseSelected(const scene::Json& local, const Pose& pose);
+    void runGroup(GizmoKind kind, const Vec3& by, double angle, double factor);
 
     // view_hands.cpp
+    [[nodiscard]] std::string heldGroup(const PaneFigure& pane) const;
     [[nodiscard]] std::optional<Pixel> grip(std::string_view how, const PaneFigure& pane);
 
     int id_;
@@ -192,9 +226,22 @@ private:
     std::optional<Target> held_;
     std::optional<GizmoPart> heldPart_;  ///< of the tool at what is held
     std::optional<Drag> drag_;
+    std::optional<GroupDrag> groupDrag_;
     std::vector<Shape> ghost_;  ///< of what is dragged, as it was before
     std::optional<Interval> frozenRange_;
     Pixel pressedAt_;
+    int pressedWith_ = 0;     ///< modifiers
+    bool gathering_ = false;
+    std::vector<Target> chosenBefore_;  ///< the band
+    /// Presses of keys on a group, one after the other.
+    struct Run {
+        Group group;
+        GizmoKind kind = GizmoKind::move;
+        Vec3 by{0.0};
+        double angle = 0;
+        double factor = 1;
+    };
+    std::optional<Run> run_;
     Pixel lastAt_;
     double lastClickTime_ = -1;
     Pixel lastClickAt_;

@@ -2,9 +2,6 @@
 // in place of drags.
 #include "app/view.hpp"
 
-#include <glm/geometric.hpp>
-
-#include <cmath>
 
 namespace knotwork::app {
 
@@ -38,18 +35,6 @@ Place placeAmongSiblings(const drawing::Drawing& drawing, const Target& target) 
     return place;
 }
 
-/// The axis that points most towards the eye: to turn about it is what a click can show.
-int facingAxis(const Gizmo& gizmo, const Sight& sight) noexcept {
-    int best = 2;
-    for (int k = 0; k < 2; ++k) {
-        const auto towards = [&](int axis) {
-            return std::abs(glm::dot(gizmo.axes[static_cast<std::size_t>(axis)], sight.towardsEye()));
-        };
-        if (towards(k) > towards(best) + 1e-9) best = k;
-    }
-    return best;
-}
-
 }  // namespace
 
 std::string View::held() {
@@ -57,6 +42,7 @@ std::string View::held() {
     const auto& target = emphasis_.selected;
     const PaneFigure* pane = now != nullptr && target ? now->find(target->pane) : nullptr;
     if (pane == nullptr) return "null";
+    if (grouped()) return heldGroup(*pane);
     const Place place = placeAmongSiblings(drawing(), *target);
     const Pixel at = pane->sight.toPixels(target->at);
     Json json = Json::object();
@@ -80,11 +66,28 @@ std::string View::held() {
     return scene::dumpJson(json);
 }
 
+/// All that is selected as one thing, at its centre.
+std::string View::heldGroup(const PaneFigure& pane) const {
+    const Target& first = *emphasis_.selected;
+    const Vec3 centre = centreOf(chosen(), pane.sight.unitsPerPixel());
+    const Pixel at = pane.sight.toPixels(centre);
+    Json json = Json::object();
+    json["path"] = first.path();
+    json["kind"] = "group";
+    json["of"] = kindName(first.kind);
+    json["count"] = emphasis_.others.size() + 1;
+    json["pixel"] = Json::array({at.x, at.y});
+    json["step"] = stepIn(pane);
+    json["value"] = listOf(centre);
+    json["spatial"] = spatial_;
+    return scene::dumpJson(json);
+}
+
 /// Where a drag of this kind takes hold of what is selected; notes the part of the tool it is.
 std::optional<Pixel> View::grip(std::string_view how, const PaneFigure& pane) {
     const Target& target = *emphasis_.selected;
-    if (how == "move") return pane.sight.toPixels(target.at);
     const auto tool = gizmo();
+    if (how == "move") return pane.sight.toPixels(grouped() && tool ? tool->at : target.at);
     if (!tool) return std::nullopt;
     if (how == "turn") {
         const int axis = facingAxis(*tool, pane.sight);

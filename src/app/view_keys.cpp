@@ -16,6 +16,9 @@ using scene::Json;
 constexpr double nudgePixels = 10;
 constexpr double zoomStep = 1.25;
 constexpr double turnPixels = 35;  // about 15 degrees
+constexpr double turnStep = 3.141592653589793 / 12;
+constexpr double scaleStep = 1.1;
+constexpr double factorDigits = 1e-3;  // of a factor that keys have made
 
 std::optional<Vec3> arrow(std::string_view name) noexcept {
     if (name == "ArrowLeft") return Vec3{-1, 0, 0};
@@ -23,6 +26,11 @@ std::optional<Vec3> arrow(std::string_view name) noexcept {
     if (name == "ArrowUp") return Vec3{0, 1, 0};
     if (name == "ArrowDown") return Vec3{0, -1, 0};
     return std::nullopt;
+}
+
+/// Keys that are pressed again and again, and then are one step of history.
+bool isOfRun(std::string_view name) noexcept {
+    return arrow(name).has_value() || name == "r" || name == "R" || name == "s" || name == "S";
 }
 
 /// The power of ten that is at most ten pixels.
@@ -62,7 +70,7 @@ std::optional<Viewpoint> standardViewpoint(std::string_view name) noexcept {
 bool View::key(std::string_view name, bool down, int modifiers) {
     if (scene() == nullptr) return false;
     if (!down) {
-        const bool ends = arrow(name).has_value() && hold_ == Hold::nothing && editor_.inGesture();
+        const bool ends = isOfRun(name) && hold_ == Hold::nothing && editor_.inGesture();
         if (ends) editor_.endGesture("key");
         return ends;
     }
@@ -75,10 +83,14 @@ bool View::key(std::string_view name, bool down, int modifiers) {
         touch();
         return redo ? editor_.redo("key") : editor_.undo("key");
     }
+    if (command && (name == "a" || name == "A")) return selectAll();
     if (command || (modifiers & altKey) != 0) return false;
     if (name == "Delete" || name == "Backspace") return removeSelected();
-    if (name == "PageDown") return selectNeighbour(1);
-    if (name == "PageUp") return selectNeighbour(-1);
+    const bool shifted = (modifiers & shiftKey) != 0;
+    if (name == "PageDown") return shifted ? extend(1) : selectNeighbour(1);
+    if (name == "PageUp") return shifted ? extend(-1) : selectNeighbour(-1);
+    if (name == "r" || name == "R") return turnSelected(shifted ? -turnStep : turnStep);
+    if (name == "s" || name == "S") return scaleSelected(shifted ? 1 / scaleStep : scaleStep);
     if (const auto direction = arrow(name)) {
         return emphasis_.selected ? nudge(*direction, modifiers) : turn(*direction);
     }
@@ -98,7 +110,7 @@ bool View::escape() {
         return true;
     }
     if (!emphasis_.selected) return false;
-    emphasis_.selected.reset();
+    choose({});
     touch();
     return true;
 }
@@ -108,9 +120,8 @@ bool View::removeSelected() {
     if (readOnly_ || !target || target->kind == TargetKind::pose || hold_ != Hold::nothing) {
         return false;
     }
-    Json command = Json::object();
-    command["remove"] = target->path();
-    if (editor_.run(std::move(command), "key")) emphasis_.selected.reset();
+    if (editor_.inGesture()) editor_.endGesture("key");
+    if (editor_.run(removal(chosen()), "key")) choose({});
     touch();
     return true;
 }
@@ -136,6 +147,12 @@ double View::stepIn(const PaneFigure& pane) const noexcept {
 
 bool View::shift(const Vec3& by) {
     if (!emphasis_.selected || readOnly_ || hold_ != Hold::nothing) return false;
+    if (grouped()) {
+        runGroup(GizmoKind::move, by, 0, 1);
+        return true;
+    }
+    if (run_ && editor_.inGesture()) editor_.endGesture("key");
+    run_.reset();
     if (!editor_.inGesture()) editor_.beginGesture(gesturePrefix());
     moveBy(Target(*emphasis_.selected), by);
     touch();
@@ -156,6 +173,79 @@ void View::moveBy(const Target& target, const Vec3& by) {
     }
     const Json* was = valueAt(scene()->state(), target.path());
     if (was != nullptr) editor_.run(moveTo(target.path(), *was, by), "key");
+}
+
+/// Presses on a group say together what they have done since the first of them.
+void View::runGroup(GizmoKind kind, const Vec3& by, double angle, double factor) {
+    const double pixel = sightOf(camera_.aim(), {}).unitsPerPixel();
+    Group now = group(pixel);
+    const bool goesOn = run_ && run_->kind == kind && run_->group.paths() == now.paths();
+    if (editor_.inGesture() && !goesOn) editor_.endGesture("key");
+    if (!editor_.inGesture()) {
+        editor_.beginGesture(gesturePrefix());
+        run_ = Run{std::move(now), kind, Vec3(0.0), 0, 1};
+    }
+    for (glm::length_t k = 0; k < 3; ++k) {
+        if (by[k] != 0) run_->by[k] = roundedTo(run_->by[k] + by[k], std::abs(by[k]) / 1e6);
+    }
+    run_->angle += angle;
+    run_->factor = roundedTo(run_->factor * factor, run_->factor * factorDigits);
+    const auto tool = gizmo();
+    const int axis = tool ? facingAxis(*tool, sightOf(camera_.aim(), {})) : 2;
+    editor_.runAnew(kind == GizmoKind::move   ? run_->group.moved(run_->by)
+                    : kind == GizmoKind::turn ? run_->group.turned(axis, run_->angle)
+                                              : run_->group.scaled(run_->factor),
+                    "key");
+    touch();
+}
+
+/// The pose of what is selected, if it is one local curve or patch that may be posed.
+std::optional<PosedLocal> View::selectedLocal() const {
+    const auto& target = emphasis_.selected;
+    if (readOnly_ || hold_ != Hold::nothing || !target || target->kind != TargetKind::pose) {
+        return std::nullopt;
+    }
+    return posedLocal(scene()->state().objects[static_cast<std::size_t>(target->object)]->body,
+                      target->index);
+}
+
+void View::poseSelected(const Json& local, const Pose& pose) {
+    const auto object = static_cast<std::size_t>(emphasis_.selected->object);
+    if (!editor_.inGesture()) editor_.beginGesture(gesturePrefix());
+    editor_.run(poseCommand(scene()->state().objects[object]->id, local, pose), "key");
+    touch();
+}
+
+bool View::turnSelected(double angle) {
+    if (readOnly_ || hold_ != Hold::nothing || figure() == nullptr) return false;
+    if (grouped()) {
+        runGroup(GizmoKind::turn, Vec3(0.0), angle, 1);
+        return true;
+    }
+    const auto local = selectedLocal();
+    const auto tool = gizmo();
+    if (!local || !tool) return false;
+    Vec3 axis{0.0};
+    axis[facingAxis(*tool, sightOf(camera_.aim(), {}))] = 1;
+    poseSelected(local->name, turnedFarther(local->pose, axis, angle));
+    return true;
+}
+
+bool View::scaleSelected(double factor) {
+    if (readOnly_ || hold_ != Hold::nothing || figure() == nullptr) return false;
+    if (grouped()) {
+        runGroup(GizmoKind::scale, Vec3(0.0), 0, factor);
+        return true;
+    }
+    const auto local = selectedLocal();
+    if (!local) return false;
+    Pose pose = local->pose;
+    for (glm::length_t k = 0; k < 3; ++k) {
+        const double to = pose.scale[k] * factor;
+        pose.scale[k] = roundedTo(to, std::abs(to) * factorDigits);
+    }
+    poseSelected(local->name, pose);
+    return true;
 }
 
 bool View::turn(const Vec3& direction) {

@@ -63,6 +63,7 @@ bool View::press(const PointerInput& input) {
     if (now == nullptr) return false;
     letGo();
     pressedAt_ = lastAt_ = input.at;
+    pressedWith_ = input.modifiers;
     const PaneFigure* pane = now->paneAt(input.at);
     const bool onCurve = pane != nullptr && pane->plot.pane == Pane::curve;
     const int pans = spatial_ ? middleButton | secondaryButton : middleButton;
@@ -85,14 +86,14 @@ bool View::press(const PointerInput& input) {
     if (target) {
         held_ = target;
         hold_ = Hold::pressedTarget;
-        emphasis_.selected = target;
+        if (!joins() && !isChosen(*target)) choose({*target});
         clock_.hold(true);
         touch();
         return true;
     }
     // A finger on empty space scrolls the page; only its taps are ours, and what it does across a
     // scene in space, where the page lets us have it.
-    if (input.pointerType == "touch" && !(spatial_ && onCurve)) return false;
+    if (input.pointerType == "touch" && !((spatial_ || gathering_) && onCurve)) return false;
     hold_ = Hold::pressedEmpty;
     return true;
 }
@@ -111,19 +112,12 @@ bool View::follow(const PointerInput& input) {
         case Hold::dragging:
             dragTo(input);
             return true;
-        case Hold::pressedEmpty: {
-            if (!wandered) return true;
-            const Figure* now = figure();
-            const PaneFigure* pane = now != nullptr ? now->paneAt(pressedAt_) : nullptr;
-            if (pane == nullptr || pane->plot.pane != Pane::curve) return true;
-            const Pixel all{input.at.x - pressedAt_.x, input.at.y - pressedAt_.y};
-            // A finger that goes down scrolls the page; the browser says so only a little later.
-            if (input.pointerType == "touch" && std::abs(all.y) >= std::abs(all.x)) return true;
-            const bool turns = spatial_ && (input.modifiers & shiftKey) == 0;
-            hold_ = turns ? Hold::orbiting : Hold::panning;
-            turns ? camera_.orbit(all, false) : camera_.pan(all);
-            break;
-        }
+        case Hold::pressedEmpty:
+            if (wandered) wander(input);
+            return true;
+        case Hold::banding:
+            drawBand();
+            return true;
         case Hold::panning:
             camera_.pan(by);
             break;
@@ -136,18 +130,37 @@ bool View::follow(const PointerInput& input) {
     return true;
 }
 
+/// A press beside all handles becomes a movement of the picture, or a band.
+void View::wander(const PointerInput& input) {
+    const Figure* now = figure();
+    const PaneFigure* pane = now != nullptr ? now->paneAt(pressedAt_) : nullptr;
+    if (pane == nullptr || pane->plot.pane != Pane::curve) return;
+    if (joins()) return beginBand();
+    const Pixel all{input.at.x - pressedAt_.x, input.at.y - pressedAt_.y};
+    // A finger that goes down scrolls the page; the browser says so only a little later.
+    if (input.pointerType == "touch" && std::abs(all.y) >= std::abs(all.x)) return;
+    hold_ = spatial_ ? Hold::orbiting : Hold::panning;
+    spatial_ ? camera_.orbit(all, false) : camera_.pan(all);
+    atHome_ = false;
+    touch();
+}
+
 bool View::release(const PointerInput& input) {
     const Hold was = hold_;
     if (was == Hold::dragging) {
         if (distance(input.at, lastAt_) > 0) dragTo(input);
         editor_.endGesture("pointer");
     }
-    if (was == Hold::pressedEmpty || (was == Hold::nothing && input.pointerType == "touch")) {
-        emphasis_.selected.reset();
+    if (was == Hold::banding) chosenBefore_ = chosen();
+    if (was == Hold::pressedTarget && held_ && !heldPart_) take(*held_, joins());
+    const bool beside = was == Hold::pressedEmpty ||
+                        (was == Hold::nothing && input.pointerType == "touch");
+    if (beside && !joins()) {
+        choose({});
         touch();
     }
-    const bool looked = was == Hold::panning || was == Hold::orbiting;
-    if (was != Hold::dragging && !looked) noteClick(input);
+    const bool clicked = was == Hold::pressedTarget || beside;
+    if (clicked && !joins()) noteClick(input);
     letGo();
     if (input.pointerType != "touch") hover(input);
     return was != Hold::nothing;
@@ -170,12 +183,8 @@ bool View::beginDrag() {
     if (now == nullptr || !held_) return false;
     const PaneFigure* pane = now->find(held_->pane);
     if (pane == nullptr) return false;
-    drag_ = Drag::begin(scene()->state(), *held_, placementOf(held_->object), pressedAt_,
-                        pane->sight, spatial_);
-    if (!drag_) return false;
-    if (const auto tool = gizmo(); heldPart_ && tool) {
-        drag_->hold(*tool, *heldPart_, pressedAt_, pane->sight);
-    }
+    if (!heldPart_ && !isChosen(*held_)) take(*held_, gathering_);
+    if (grouped() ? !beginGroupDrag(*pane) : !beginSingleDrag(*pane)) return false;
     rememberShape();
     if (held_->kind == TargetKind::knot) frozenRange_ = now->axis.range;
     if (editor_.inGesture()) editor_.endGesture("key");
@@ -185,10 +194,24 @@ bool View::beginDrag() {
     return true;
 }
 
+bool View::beginSingleDrag(const PaneFigure& pane) {
+    drag_ = Drag::begin(scene()->state(), *held_, placementOf(held_->object), pressedAt_,
+                        pane.sight, spatial_);
+    if (!drag_) return false;
+    if (const auto tool = gizmo(); heldPart_ && tool) {
+        drag_->hold(*tool, *heldPart_, pressedAt_, pane.sight);
+    }
+    return true;
+}
+
 void View::dragTo(const PointerInput& input) {
     const Figure* now = figure();
-    const PaneFigure* pane = now != nullptr ? now->find(drag_->target().pane) : nullptr;
+    const PaneFigure* pane = now != nullptr ? now->find(held_->pane) : nullptr;
     if (pane == nullptr) return;
+    if (groupDrag_) {
+        editor_.runAnew(groupDrag_->command(input.at, pane->sight, input.modifiers), "pointer");
+        return touch();
+    }
     for (scene::Json& command : drag_->commands(input.at, pane->sight, input.modifiers)) {
         editor_.run(std::move(command), "pointer");
     }
@@ -197,12 +220,15 @@ void View::dragTo(const PointerInput& input) {
 
 void View::letGo() {
     if (hold_ == Hold::dragging && editor_.inGesture()) editor_.cancelGesture("pointer");
+    if (hold_ == Hold::banding) choose(std::move(chosenBefore_));
     if (hold_ != Hold::nothing) touch();
     clock_.hold(false);
     hold_ = Hold::nothing;
     held_.reset();
     heldPart_.reset();
     drag_.reset();
+    groupDrag_.reset();
+    chosenBefore_.clear();
     ghost_.clear();
     frozenRange_.reset();
 }
@@ -242,9 +268,10 @@ void View::hover(const PointerInput& input) {
 
 void View::point(const Emphasis& at) {
     if (sameHover(at, emphasis_)) return;
-    const auto selected = emphasis_.selected;
-    emphasis_ = at;
-    emphasis_.selected = selected;
+    Emphasis next = at;
+    next.selected = std::move(emphasis_.selected);
+    next.others = std::move(emphasis_.others);
+    emphasis_ = std::move(next);
     touch();
 }
 
@@ -262,11 +289,16 @@ bool View::wheel(const Pixel& at, double dy, int modifiers) {
 bool View::hits(const Pixel& at, std::string_view pointerType) {
     const Figure* now = figure();
     if (now == nullptr) return false;
+    const PaneFigure* pane = now->paneAt(at);
+    if (gathering_ && pane != nullptr && pane->plot.pane == Pane::curve) return true;
     const auto target = targetAt(*now, at, hitRadius(pointerType));
     return target || partUnder(at, hitRadius(pointerType), target);
 }
 
 std::string View::cursor() const {
+    if (hold_ == Hold::banding || (hold_ == Hold::nothing && gathering_ && !emphasis_.hovered)) {
+        return "crosshair";
+    }
     if (hold_ == Hold::panning || hold_ == Hold::orbiting) return "grabbing";
     const bool knot = (held_ && held_->kind == TargetKind::knot) ||
                       (emphasis_.hovered && emphasis_.hovered->kind == TargetKind::knot);

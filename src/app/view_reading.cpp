@@ -34,27 +34,47 @@ bool isOutline(const Shape& shape) noexcept {
 
 std::optional<Reading> View::reading() const {
     const auto& target = emphasis_.selected;
+    if (groupDrag_ && hold_ == Hold::dragging) return groupReading();
     const bool dragged = hold_ == Hold::dragging && drag_ && target && target->pane == Pane::curve;
     if (!dragged) return std::nullopt;
-    const auto& part = drag_->part();
+    const auto& tool = drag_->tool();
     const auto& object = *scene()->state().objects[static_cast<std::size_t>(target->object)];
-    const auto local = part ? posedLocal(object.body, target->index) : std::nullopt;
-    if (local && part->kind == GizmoKind::turn) {
-        return Reading{target->at, ui::numberText(drag_->turned() * degreesPerRadian, 1) + "°"};
+    const auto local = tool ? posedLocal(object.body, target->index) : std::nullopt;
+    if (local && tool->part().kind == GizmoKind::turn) {
+        return Reading{target->at, ui::numberText(tool->turned() * degreesPerRadian, 1) + "°"};
     }
-    if (local && part->kind == GizmoKind::scale) {
-        return Reading{target->at, "× " + ui::numberText(local->pose.scale[part->axis], 2)};
+    if (local && tool->part().kind == GizmoKind::scale) {
+        return Reading{target->at, "× " + ui::numberText(local->pose.scale[tool->part().axis], 2)};
     }
     const double pixel = sightOf(camera_.aim(), {}).unitsPerPixel();
     return Reading{target->at, listed(target->at, spatial_, decimalsAt(pixel))};
 }
 
-/// The lines of the object that is about to be dragged, thin and faint. Its index buffers and
+/// How far a group has been taken.
+std::optional<Reading> View::groupReading() const {
+    const auto tool = gizmo();
+    if (!tool) return std::nullopt;
+    const auto& held = groupDrag_->tool();
+    const GizmoKind kind = held ? held->part().kind : GizmoKind::move;
+    if (kind == GizmoKind::turn) {
+        return Reading{tool->at, ui::numberText(held->turned() * degreesPerRadian, 1) + "°"};
+    }
+    if (kind == GizmoKind::scale) {
+        return Reading{tool->at, "× " + ui::numberText(groupDrag_->factor(), 2)};
+    }
+    const double pixel = sightOf(camera_.aim(), {}).unitsPerPixel();
+    return Reading{tool->at, "Δ " + listed(groupDrag_->by(), spatial_, decimalsAt(pixel))};
+}
+
+/// The lines of the objects that are about to be dragged, thin and faint. Their index buffers and
 /// samples are shared with nobody: they are copied once a drag.
 void View::rememberShape() {
     ghost_.clear();
+    const std::vector<Target>& moved = emphasis_.others;
     for (const Shape& shape : drawing().shapes) {
-        if (shape.object != held_->object || !isOutline(shape)) continue;
+        const auto ofShape = [&](const Target& target) { return target.object == shape.object; };
+        if (!isOutline(shape)) continue;
+        if (!ofShape(*held_) && std::none_of(moved.begin(), moved.end(), ofShape)) continue;
         Shape& ghost = ghost_.emplace_back(shape);
         ghost.object = -1;
         ghost.path.clear();

@@ -59,6 +59,8 @@ EMSCRIPTEN_BINDINGS(knotwork_app) {
         .function("takeEvents", &App::takeEvents)
         .function("selection", &App::selection)
         .function("select", &App::select)
+        .function("selectAll", &App::selectAll)
+        .function("setGathering", &App::setGathering)
         .function("held", &App::held)
         .function("setStep", &App::setStep)
         .function("shift", &App::shift)

@@ -66,14 +66,14 @@ Json carried(Json pose, const Json& by, const Vec3& origin) {
     const Pose before = poseOf(pose);
     const Pose farther = poseOf(by);
     const double factor = numberOr(by, "scale", 1);
-    Vec3 place = origin + before.translate;
+    Vec3 moved = before.translate;
     if (const Json* given = member(by, "about")) {
-        const Vec3 about = vec3Of(*given);
-        place = about + factor * (rotation(farther.axis, farther.angle) * (place - about));
+        const Vec3 about = vec3Of(*given) - origin;
+        moved = about + factor * (rotation(farther.axis, farther.angle) * (moved - about));
     }
     const Turn turn = compose({farther.axis, farther.angle}, {before.axis, before.angle});
     const Vec3 scale = factor * before.scale;
-    pose["translate"] = pointJson(place + farther.translate - origin, 3);
+    pose["translate"] = pointJson(moved + farther.translate, 3);
     pose["rotate"] = {{"axis", pointJson(turn.axis, 3)}, {"angle", turn.angle}};
     const bool uniform = scale.x == scale.y && scale.y == scale.z;
     pose["scale"] = uniform ? Json(scale.x) : pointJson(scale, 3);
