@@ -8,7 +8,8 @@ import { heldName, heldValues } from './figure-sentences.mjs';
  * What is selected, as App::held tells it.
  * @typedef {object} Held
  * @property {string} path
- * @property {'point' | 'knot' | 'pose' | 'line'} kind
+ * @property {'point' | 'knot' | 'pose' | 'line' | 'group' | 'parameter' | 'effect'} kind
+ * @property {string} [of] a group's: point, local or patch
  * @property {number} number
  * @property {number} count
  * @property {[number, number]} pixel
@@ -98,9 +99,10 @@ export class HandleLayer {
      */
     #layOut(held, words, readOnly) {
         const values = coordinatesOf(held);
-        const names = held.kind === 'knot' ? ['t'] : ['x', 'y', 'z'].slice(0, values.length);
+        const one = held.kind === 'knot' ? 't' : heldName(words, held);
+        const names = typeof held.value === 'number' ? [one] : ['x', 'y', 'z'].slice(0, values.length);
         this.#makeSliders(names.length);
-        const laid = JSON.stringify([held.path, held.step, values.length, readOnly]);
+        const laid = JSON.stringify([held.path, held.kind, held.step, values.length, readOnly]);
         const same = laid === this.#laid;
         this.#laid = laid;
         const text = heldValues(words, held);
@@ -154,7 +156,8 @@ function layOutSlider(slider, value, step) {
 
 /** @param {Held} held */
 function coordinatesOf({ kind, value, spatial }) {
-    if (kind === 'knot') return [value];
+    if (typeof value === 'number') return [value];
     if (kind === 'point' || kind === 'line') return value;
+    if (kind === 'group' || kind === 'effect') return value.slice(0, spatial ? 3 : 2);
     return value.translate.slice(0, spatial ? 3 : 2);
 }

@@ -51,9 +51,23 @@ export class FigureHands {
         this.#bar?.element.remove();
         this.#bar = undefined;
         if (!readOnly && controls !== 'none') {
-            this.#bar = new ClickBar(this.parts.picture, words, { told: this.host.say, left: () => this.#return() });
+            this.#bar = this.#makeBar(words);
         }
         this.follow(false);
+    }
+
+    /** @param {import('./words.mjs').Words} words */
+    #makeBar(words) {
+        const { app, id, say, acted } = this.host;
+        return new ClickBar(this.parts.picture, words, {
+            told: say,
+            left: () => this.#return(),
+            gather: (several) => app.setGathering(id, several),
+            all: () => {
+                app.selectAll(id);
+                acted();
+            },
+        });
     }
 
     /**
@@ -67,8 +81,11 @@ export class FigureHands {
         }
         const { app, id, wishes } = this.host;
         if (!this.#held && app.selection(id) === 'null') return;
+        const former = this.#held;
         this.#held = JSON.parse(app.held(id) || 'null');
         const { words, readOnly } = wishes();
+        const grew = this.#held?.kind === 'group' && (former?.kind !== 'group' || former.count !== this.#held.count);
+        if (grew) this.host.say(heldName(words, /** @type {Held} */ (this.#held)));
         this.#bar?.show(this.#held);
         this.layer.show(this.#held, words, readOnly);
     }
@@ -78,10 +95,7 @@ export class FigureHands {
      * @param {KeyboardEvent} event
      */
     before(event) {
-        if (event.key === 'Escape' && this.#bar?.how) {
-            this.#bar.choose(null);
-            return true;
-        }
+        if (event.key === 'Escape' && this.#bar?.leave()) return true;
         if (!this.#held || event.ctrlKey || event.metaKey || event.altKey) return false;
         if (event.key === 'Enter') return this.host.openValues(this.#held);
         // A slider would go to its end.
@@ -132,9 +146,9 @@ export class FigureHands {
     }
 
     /** What stands in the place of the removed one, or the last. @param {Held} former */
-    #selectNear({ path, number, count }) {
+    #selectNear({ kind, path, number, count }) {
         const { app, id } = this.host;
-        if (count < 2) return;
+        if (count < 2 || kind === 'group') return;
         const last = number === count;
         app.select(id, last ? path.replace(/\d+(?=\]$)/, (k) => String(Number(k) - 1)) : path);
         this.follow(false);

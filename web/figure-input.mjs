@@ -212,8 +212,8 @@ export class FigureInput {
     #key(event, down) {
         if (event.key === 'Tab' || event.isComposing) return;
         const { app, id } = this.target;
-        const arrow = event.key.startsWith('Arrow');
-        if (arrow && !down) {
+        const runs = isOfRun(event);
+        if (runs && !down) {
             this.#keysDown.delete(event.key);  // the run may go on
             return;
         }
@@ -221,9 +221,9 @@ export class FigureInput {
             event.preventDefault();
             return;
         }
-        if (down && !arrow && event.key !== 'Shift') this.settle();
+        if (down && !runs && event.key !== 'Shift') this.settle();
         const taken = app.key(id, event.key, down, modifiersOf(event));
-        if (taken && arrow) this.run();
+        if (taken && runs) this.run();
         if (taken && down) this.target.pressed(event.key);
         if (taken || (down && this.target.shortcut(event))) event.preventDefault();
         if (down) this.#keysDown.add(event.key);
@@ -245,6 +245,11 @@ export class FigureInput {
         this.#keysDown.clear();
         this.target.acted();
     }
+}
+
+/** Keys of which several presses are one step of history. @param {KeyboardEvent} event */
+function isOfRun({ key, ctrlKey, metaKey }) {
+    return key.startsWith('Arrow') || (/^[rs]$/i.test(key) && !ctrlKey && !metaKey);
 }
 
 /**

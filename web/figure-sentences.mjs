@@ -12,6 +12,8 @@ import { bare } from './shape.mjs';
  */
 export function heldName(words, held) {
     const { number, count } = held;
+    if (held.kind === 'group') return words.text('held.group', { name: severalName(words, nounOf(held), count) });
+    if (isValue(held)) return valueName(words, held.path);
     const row = /\[(\d+)\]\[(\d+)\]$/.exec(held.path);
     if (row) return words.text('held.net', { number, count, row: Number(row[1]) + 1, column: Number(row[2]) + 1 });
     if (held.kind === 'line') return words.text(`held.${lineNoun(number)}`);
@@ -23,10 +25,40 @@ function lineNoun(number) {
     return number === 1 ? 'line-point' : 'line-direction';
 }
 
-/** @param {{ kind: string, path: string, local?: any }} held */
-function nounOf({ kind, path, local }) {
+/** Whether it is no element of a list. @param {Held} held */
+const isValue = ({ kind }) => kind === 'parameter' || kind === 'effect';
+
+/** How parameters are written in formulas. @type {Record<string, string>} */
+const letters = { alpha: 'α', beta: 'β', gamma: 'γ', lambda: 'λ' };
+
+/**
+ * "λ of the B-function", "Angle of effect 2"
+ * @param {Words} words
+ * @param {string} path
+ */
+function valueName(words, path) {
+    const [, effect] = /^effects\[(\d+)\]/.exec(path) ?? [];
+    const [, place] = /\.values\[(\d+)\]$/.exec(path) ?? [];
+    const name = path.slice(path.lastIndexOf('.') + 1);
+    if (effect) return words.text(`held.effect.${name}`, { number: Number(effect) + 1 });
+    if (place) return words.text('held.table', { number: Number(place) + 1 });
+    return words.text('held.parameter', { name: letters[name] ?? name });
+}
+
+/** @param {{ kind: string, path: string, local?: any, of?: string }} held */
+function nounOf({ kind, path, local, of = kind }) {
     if (kind === 'pose') return Array.isArray(local) ? 'patch' : 'local';
-    return path.includes('.vertices[') ? 'vertex' : kind;
+    return path.includes('.vertices[') ? 'vertex' : of;
+}
+
+/**
+ * "5 points"
+ * @param {Words} words
+ * @param {string} noun
+ * @param {number} count
+ */
+function severalName(words, noun, count) {
+    return words.text(`several.${noun}`, { count });
 }
 
 /**
@@ -36,7 +68,10 @@ function nounOf({ kind, path, local }) {
  */
 export function heldValues(words, { kind, value, spatial }) {
     if (kind === 'knot') return `t ${words.number(value)}`;
+    if (typeof value === 'number') return words.number(value);
     if (kind === 'point' || kind === 'line') return coordinates(words, value);
+    if (kind === 'effect') return coordinates(words, value.slice(0, spatial ? 3 : 2));
+    if (kind === 'group') return coordinates(words, value.slice(0, spatial ? 3 : 2));
     const { translate, angle, scale } = value;
     const parts = [coordinates(words, translate.slice(0, spatial ? 3 : 2))];
     if (angle !== 0) parts.push(words.text('held.turned', { degrees: Math.round(angle * 180 / Math.PI) }));
@@ -71,13 +106,54 @@ export function doneSentence(words, { command, what }, document, shape, kw) {
     const panes = panesIn(command);
     if (panes) return words.text('said.shown', { panes: panes.map((name) => words.text(`pane.${name}`)).join(', ') });
     if (typeof command.move === 'string') return movedSentence(words, command.move, document, shape, kw);
+    const value = isValuePath(command.set) ? valueAt(document, command.set) : undefined;
+    if (value !== undefined) {
+        const told = typeof value === 'number' ? words.number(value) : coordinates(words, value);
+        return words.text('said.group', { name: valueName(words, command.set), value: told });
+    }
     if (command.insertKnot) return words.text('said.knot-inserted', { at: command.insertKnot.at, shape });
     for (const done of ['insert', 'remove']) {
         const place = placeOf(command[done]);
         if (place) return words.text(`said.${done}`, { name: nameOf(words, place), shape });
     }
+    if (command.pose?.by) return words.text('said.group', groupPosed(words, command.pose));
     if (command.pose) return posedSentence(words, command.pose);
+    if (Array.isArray(command.move)) return words.text('said.group', groupMoved(words, command));
+    if (command.all?.every((/** @type {any} */ one) => one.remove)) {
+        return words.text('said.remove', { name: severalName(words, nounOfPath(command.all[0].remove), command.all.length), shape });
+    }
     return shape;
+}
+
+/**
+ * Whether it is one of those that handles of their own stand for.
+ * @param {any} path
+ */
+const isValuePath = (path) => typeof path === 'string' &&
+    (/\.bFunction\.(values\[\d+\]|order|p|q|m|c|lambda|beta|weight)$/.test(path) ||
+        /^effects\[\d+\]\.(by|center|angle|axis|factor|translate|rotate\.angle)$/.test(path));
+
+/** @param {string} path */
+const nounOfPath = (path) => path.includes('.vertices[') ? 'vertex' : 'point';
+
+/**
+ * @param {Words} words
+ * @param {any} command
+ */
+function groupMoved(words, { move, by }) {
+    const value = words.text('said.by', { value: coordinates(words, by) });
+    return { name: severalName(words, nounOfPath(move[0]), move.length), value };
+}
+
+/**
+ * @param {Words} words
+ * @param {any} pose
+ */
+function groupPosed(words, { locals, by: { translate, rotate, scale } }) {
+    const value = translate ? words.text('said.by', { value: coordinates(words, translate) })
+        : rotate ? words.text('held.turned', { degrees: Math.round(rotate.angle * 180 / Math.PI) })
+            : words.text('held.scaled', { factor: scale });
+    return { name: severalName(words, Array.isArray(locals[0]) ? 'patch' : 'local', locals.length), value };
 }
 
 /**

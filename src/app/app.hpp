@@ -82,8 +82,8 @@ public:
     /// What is selected, for fields over the picture: { path, kind, number, count, pixel, step,
     /// value } or null. `number` of `count` of its kind, `pixel` where it is seen, `step` of the
     /// arrow keys; of a local curve or patch also its name `local` and whether it is in space, and
-    /// the value is { translate, angle, scale }. Of a group the kind is `group`, `of` that of its
-    /// members, `count` how many they are, and the value their centre.
+    /// the value is { translate, angle, scale }. Of a group the kind is `group`, `of` says point,
+    /// local or patch, `count` how many they are, and the value their centre.
     std::string held(int id);
     /// Of the arrow keys, in units; 0 lets the zoom decide.
     void setStep(int id, double step);

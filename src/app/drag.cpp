@@ -95,6 +95,8 @@ std::vector<Json> Drag::commands(const Pixel& pointer, const Sight& sight, int m
         case TargetKind::line: return {movePoint(held, sight, modifiers)};
         case TargetKind::knot: return moveKnot(held, sight, modifiers);
         case TargetKind::pose: return {poseLocal(held, sight, modifiers)};
+        case TargetKind::parameter:
+        case TargetKind::effect: break;  // see ValueDrag
     }
     return {};
 }

@@ -76,7 +76,7 @@ std::vector<Ruler> rulers(const Emphasis& emphasis) {
         return {Ruler{emphasis.basisObject, static_cast<std::size_t>(emphasis.basisIndex)}};
     }
     const auto& target = emphasis.hovered ? emphasis.hovered : emphasis.selected;
-    if (!target || target->kind == TargetKind::line) return {};
+    if (!target || target->kind == TargetKind::line || isValue(target->kind)) return {};
     std::vector<Ruler> all{rulerOf(*target)};
     if (emphasis.hovered && !emphasis.groups(*emphasis.hovered)) return all;
     if (emphasis.hovered && emphasis.selected) all.push_back(rulerOf(*emphasis.selected));

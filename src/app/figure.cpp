@@ -113,6 +113,20 @@ double reachOf(const drawing::Bounds& bounds, const Vec3& middle) noexcept {
     return bounds.empty ? 1 : std::max(glm::length(glm::max(low, high)), 1e-9);
 }
 
+void addGhost(PaneFigure& pane, const FigureRequest& request) {
+    if (request.ghost == nullptr) return;
+    for (const Shape& shape : *request.ghost) {
+        if (pane.plot.shows(shape)) pane.below.push_back(shape);
+    }
+}
+
+void addValues(PaneFigure& pane, const FigureRequest& request) {
+    if (request.values == nullptr) return;
+    for (const Shape& shape : *request.values) {
+        if (pane.plot.shows(shape)) pane.shapes.push_back(painted(shape, request.emphasis));
+    }
+}
+
 /// Above and to the right of what is dragged; where there is no room, on the other side.
 void addReading(PaneFigure& pane, const Reading& reading, const ui::Theme& colours) {
     const Pixel at = pane.sight.toPixels(reading.at);
@@ -204,9 +218,12 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
             addName(pane, shape);
         }
     }
-    if (request.ghost != nullptr) pane.below = *request.ghost;
+    addValues(pane, request);
+    addGhost(pane, request);
     if (request.band) pane.tools.push_back(bandShape(*request.band, pane, colours));
-    if (request.reading) addReading(pane, *request.reading, colours);
+    if (request.reading && request.reading->pane == Pane::curve) {
+        addReading(pane, *request.reading, colours);
+    }
     if (request.gizmo) addGizmo(pane, *request.gizmo, request);
     figure.panes.push_back(std::move(pane));
 }
@@ -238,6 +255,7 @@ void addPlot(Figure& figure, ui::Plot plot, int object, const FigureRequest& req
     }
     pane.sight = Sight(plot.map);
     pane.plot = std::move(plot);
+    addValues(pane, request);
     figure.panes.push_back(std::move(pane));
 }
 
@@ -337,6 +355,12 @@ void addBFunction(Figure& figure, const FigureRequest& request, const Box& box,
     for (ui::Plot& plot : ui::bFunctionPlots(box, content, colours)) {
         plot.besides = objects;
         addPlot(figure, std::move(plot), object, request);
+        PaneFigure& pane = figure.panes.back();
+        // What was before the drag goes on belonging to the object whose plot this is.
+        if (pane.plot.index == 0) addGhost(pane, request);
+        if (pane.plot.index == 0 && request.reading && request.reading->pane == Pane::bFunction) {
+            addReading(pane, *request.reading, colours);
+        }
     }
 }
 

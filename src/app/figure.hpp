@@ -82,6 +82,7 @@ struct Words {
 struct Reading {
     Vec3 at{0.0};
     std::string text;
+    Pane pane = Pane::curve;
 };
 
 struct FigureRequest {
@@ -101,6 +102,7 @@ struct FigureRequest {
     std::optional<Reading> reading;
     const std::vector<Shape>* ghost = nullptr;  ///< what is dragged as it was before
     ui::Shares shares;  ///< of panes whose seams were moved
+    const std::vector<Shape>* values = nullptr;  ///< handles of values, and what makes them plain
     std::optional<Box> band;  ///< that a pointer draws round what it selects
 };
 

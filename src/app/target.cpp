@@ -5,6 +5,8 @@
 namespace knotwork::app {
 
 std::optional<TargetKind> kindOfList(std::string_view list) noexcept {
+    if (list.starts_with("effects[")) return TargetKind::effect;
+    if (list.find("].bFunction.") != std::string_view::npos) return TargetKind::parameter;
     const std::size_t dot = list.rfind('.');
     std::string_view name = dot == std::string_view::npos ? list : list.substr(dot + 1);
     name = name.substr(0, name.find('['));
@@ -63,6 +65,8 @@ std::string_view kindName(TargetKind kind) noexcept {
         case TargetKind::knot: return "knot";
         case TargetKind::pose: return "pose";
         case TargetKind::line: return "line";
+        case TargetKind::parameter: return "parameter";
+        case TargetKind::effect: return "effect";
     }
     return "";
 }
@@ -96,10 +100,14 @@ std::vector<std::string> siblingsOf(const drawing::Drawing& drawing, const Targe
 
 const scene::Json* valueAt(const scene::State& state, std::string_view path) {
     const auto steps = scene::parsePath(path);
-    if (!steps || steps->size() < 2 || steps->front().key != "objects") return nullptr;
-    const scene::PathStep& object = (*steps)[1];
-    if (!object.isIndex() || object.index >= state.objects.size()) return nullptr;
-    return scene::find(state.objects[object.index]->spec, std::span(*steps).subspan(2));
+    if (!steps || steps->size() < 2 || !(*steps)[1].isIndex()) return nullptr;
+    const std::string& list = steps->front().key;
+    const std::size_t k = (*steps)[1].index;
+    const auto in = [&](const auto& entries) -> const scene::Json* {
+        if (k >= entries.size()) return nullptr;
+        return scene::find(entries[k]->spec, std::span(*steps).subspan(2));
+    };
+    return list == "objects" ? in(state.objects) : list == "effects" ? in(state.effects) : nullptr;
 }
 
 }  // namespace knotwork::app

@@ -1,4 +1,5 @@
-// What of a document can be taken hold of in a view: an element of one of its lists.
+// What of a document can be taken hold of in a view: an element of one of its lists, or a value that
+// has a handle of its own.
 #pragma once
 
 #include "drawing/drawing.hpp"
@@ -14,18 +15,25 @@ namespace knotwork::app {
 using drawing::Pane;
 using drawing::Shape;
 
-/// `line` is the point or the direction of an object's line.
-enum class TargetKind { point, knot, pose, line };
+/// `line` is the point or the direction of an object's line. A parameter is one of a B-function, an
+/// effect's value says how far that goes; both are values and no elements of lists.
+enum class TargetKind { point, knot, pose, line, parameter, effect };
+
+[[nodiscard]] constexpr bool isValue(TargetKind kind) noexcept {
+    return kind == TargetKind::parameter || kind == TargetKind::effect;
+}
 
 struct Target {
     int object = 0;
     Pane pane = Pane::curve;
     TargetKind kind = TargetKind::point;
-    std::string list;  ///< `objects[0].points`
+    std::string list;  ///< `objects[0].points`; of a value where it stands
     std::size_t index = 0;
     Vec3 at{0.0};      ///< where it stood in its pane's plane when it was found
 
-    [[nodiscard]] std::string path() const { return indexed(list, index); }
+    [[nodiscard]] std::string path() const {
+        return isValue(kind) ? list : indexed(list, index);
+    }
     [[nodiscard]] bool same(const Target& other) const noexcept {
         return index == other.index && list == other.list;
     }
@@ -44,7 +52,8 @@ struct PosedLocal {
 [[nodiscard]] scene::Json poseCommand(const std::string& object, const scene::Json& local,
                                       const Pose& pose);
 
-/// By the last name of the list, whose rows count as it does; nothing for a list that cannot be dragged.
+/// By the last name of the list, whose rows count as it does, or by where a value stands; nothing for
+/// what cannot be dragged.
 [[nodiscard]] std::optional<TargetKind> kindOfList(std::string_view list) noexcept;
 [[nodiscard]] std::string_view kindName(TargetKind kind) noexcept;
 
@@ -62,7 +71,7 @@ struct PosedLocal {
 [[nodiscard]] std::vector<std::string> siblingsOf(const drawing::Drawing& drawing,
                                                   const Target& target);
 
-/// The value at a path such as `objects[0].points[2]`, or null.
+/// The value at a path such as `objects[0].points[2]` or `effects[1].angle`, or null.
 [[nodiscard]] const scene::Json* valueAt(const scene::State& state, std::string_view path);
 
 }  // namespace knotwork::app

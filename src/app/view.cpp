@@ -73,6 +73,7 @@ void View::attach(std::shared_ptr<scene::Scene> scene) {
     emphasis_ = {};
     figure_ = {};
     picture_.forget();
+    valuesOf_ = 0;
     cameraPlaced_ = false;
     atHome_ = true;
     clock_.setPhase(0);
@@ -232,6 +233,7 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.reading = reading();
     request.ghost = &ghost_;
     request.shares = shares_;
+    request.values = &valueShapes_;
     request.band = band();
     if (heldPart_) request.emphasis.part = heldPart_;
     return request;
@@ -270,14 +272,14 @@ void View::placeCamera(bool layoutMoved) {
     cameraPlaced_ = true;
 }
 
-void View::followSelection(const drawing::Drawing& drawing) {
+void View::followSelection() {
     for (auto* target : {&emphasis_.selected, &emphasis_.hovered}) {
-        if (*target) *target = findTarget(drawing, (*target)->path());
+        if (*target) *target = find((*target)->path());
     }
     if (!grouped()) return;
     std::vector<Target> found;
     for (const Target& target : chosen()) {
-        if (const auto now = findTarget(drawing, target.path())) found.push_back(*now);
+        if (const auto now = find(target.path())) found.push_back(*now);
     }
     choose(std::move(found));
 }
@@ -308,7 +310,9 @@ const Figure* View::figure() {
         placeCamera(moved);
     }
     const drawing::Drawing& now = drawing();
-    followSelection(now);
+    followValues();
+    followSelection();
+    drawValues();
     figure_ = composeFigure(request(now), layout_, camera_);
     stale_ = false;
     return &figure_;
@@ -325,7 +329,7 @@ std::optional<Gizmo> View::gizmo() const {
 void View::select(std::string_view path) {
     if (scene() == nullptr) return;
     choose({});
-    if (figure() != nullptr && !path.empty()) emphasis_.selected = findTarget(drawing(), path);
+    if (figure() != nullptr && !path.empty()) emphasis_.selected = find(path);
     touch();
 }
 

@@ -10,6 +10,7 @@
 #include "app/figure.hpp"
 #include "app/group_drag.hpp"
 #include "app/picture.hpp"
+#include "app/value_drag.hpp"
 #include "drawing/outlook.hpp"
 
 #include <functional>
@@ -125,7 +126,7 @@ private:
     void followScene();
     void followDepth();
     void placeCamera(bool layoutMoved);
-    void followSelection(const drawing::Drawing& drawing);
+    void followSelection();
     [[nodiscard]] Affine placementOf(int object) const;
     [[nodiscard]] std::string gesturePrefix() const { return "view" + std::to_string(id_); }
 
@@ -144,6 +145,7 @@ private:
     [[nodiscard]] std::optional<Gizmo> gizmo() const;
     [[nodiscard]] std::optional<Reading> reading() const;
     [[nodiscard]] std::optional<Reading> groupReading() const;
+    [[nodiscard]] std::optional<Reading> valueReading() const;
     void rememberShape();
     [[nodiscard]] std::optional<GizmoPart> partUnder(const Pixel& at, double radius,
                                                      const std::optional<Target>& target) const;
@@ -166,6 +168,15 @@ private:
     void drawBand();
     [[nodiscard]] std::optional<Box> band() const noexcept;
     bool extend(int step);
+
+    // view_values.cpp
+    void followValues();
+    void drawValues();
+    [[nodiscard]] std::optional<Target> find(std::string_view path);
+    [[nodiscard]] std::vector<std::string> siblings(const Target& target);
+    bool beginValueDrag(const PaneFigure& pane);
+    void setBy(const Target& target, const Vec3& by);
+    bool selectNextKind();
 
     // view_editing.cpp
     bool doubleClick(const PointerInput& input, const std::optional<Target>& target);
@@ -227,6 +238,11 @@ private:
     std::optional<GizmoPart> heldPart_;  ///< of the tool at what is held
     std::optional<Drag> drag_;
     std::optional<GroupDrag> groupDrag_;
+    std::optional<ValueDrag> valueDrag_;
+    ValueHandles values_;
+    std::uint64_t valuesOf_ = 0;         ///< the revision they were made for, 0 for none
+    NearLocal valuesNear_;
+    std::vector<Shape> valueShapes_;     ///< of those that are shown
     std::vector<Shape> ghost_;  ///< of what is dragged, as it was before
     std::optional<Interval> frozenRange_;
     Pixel pressedAt_;

@@ -167,14 +167,14 @@ void View::drawBand() {
 bool View::extend(int step) {
     if (!emphasis_.selected || figure() == nullptr) return false;
     if (!joinsGroups(emphasis_.selected->kind)) return selectNeighbour(step);
-    const std::vector<std::string> all = siblingsOf(drawing(), *emphasis_.selected);
+    const std::vector<std::string> all = siblings(*emphasis_.selected);
     const std::string last = chosen().back().path();
     const auto found = std::find(all.begin(), all.end(), last);
     if (found == all.end()) return false;
     const std::size_t place = static_cast<std::size_t>(found - all.begin()) + all.size();
     for (std::size_t k = 1; k < all.size(); ++k) {
         const std::size_t next = step > 0 ? place + k : place - k;
-        const auto target = findTarget(drawing(), all[next % all.size()]);
+        const auto target = find(all[next % all.size()]);
         if (!target || isChosen(*target)) continue;
         std::vector<Target> more = chosen();
         more.push_back(*target);

@@ -2,6 +2,8 @@
 // in place of drags.
 #include "app/view.hpp"
 
+#include <algorithm>
+
 
 namespace knotwork::app {
 
@@ -35,6 +37,11 @@ Place placeAmongSiblings(const drawing::Drawing& drawing, const Target& target) 
     return place;
 }
 
+Place placeAmong(const std::vector<std::string>& paths, const std::string& path) {
+    const auto found = std::find(paths.begin(), paths.end(), path);
+    return {static_cast<std::size_t>(found - paths.begin()) + 1, paths.size()};
+}
+
 }  // namespace
 
 std::string View::held() {
@@ -43,7 +50,8 @@ std::string View::held() {
     const PaneFigure* pane = now != nullptr && target ? now->find(target->pane) : nullptr;
     if (pane == nullptr) return "null";
     if (grouped()) return heldGroup(*pane);
-    const Place place = placeAmongSiblings(drawing(), *target);
+    const Place place = isValue(target->kind) ? placeAmong(siblings(*target), target->path())
+                                              : placeAmongSiblings(drawing(), *target);
     const Pixel at = pane->sight.toPixels(target->at);
     Json json = Json::object();
     json["path"] = target->path();
@@ -52,14 +60,17 @@ std::string View::held() {
     json["count"] = place.count;
     json["pixel"] = Json::array({at.x, at.y});
     json["step"] = stepIn(*pane);
+    if (const FunctionHandle* handle = values_.function(target->path())) {
+        json["name"] = handle->label;
+    }
     const scene::Object& object =
         *scene()->state().objects[static_cast<std::size_t>(target->object)];
+    json["spatial"] = spatial_;
     if (target->kind == TargetKind::pose) {
         const auto local = posedLocal(object.body, target->index);
         if (!local) return "null";
         json["local"] = local->name;
         json["value"] = poseJson(*local);
-        json["spatial"] = spatial_;
     } else if (const Json* value = valueAt(scene()->state(), target->path())) {
         json["value"] = *value;
     }
@@ -74,7 +85,11 @@ std::string View::heldGroup(const PaneFigure& pane) const {
     Json json = Json::object();
     json["path"] = first.path();
     json["kind"] = "group";
-    json["of"] = kindName(first.kind);
+    const scene::Object& object =
+        *scene()->state().objects[static_cast<std::size_t>(first.object)];
+    const auto local = posedLocal(object.body, first.index);
+    const bool pose = first.kind == TargetKind::pose && local;
+    json["of"] = !pose ? kindName(first.kind) : local->name.is_array() ? "patch" : "local";
     json["count"] = emphasis_.others.size() + 1;
     json["pixel"] = Json::array({at.x, at.y});
     json["step"] = stepIn(pane);

@@ -89,6 +89,7 @@ bool View::key(std::string_view name, bool down, int modifiers) {
     const bool shifted = (modifiers & shiftKey) != 0;
     if (name == "PageDown") return shifted ? extend(1) : selectNeighbour(1);
     if (name == "PageUp") return shifted ? extend(-1) : selectNeighbour(-1);
+    if (name == "k" || name == "K") return selectNextKind();
     if (name == "r" || name == "R") return turnSelected(shifted ? -turnStep : turnStep);
     if (name == "s" || name == "S") return scaleSelected(shifted ? 1 / scaleStep : scaleStep);
     if (const auto direction = arrow(name)) {
@@ -117,9 +118,8 @@ bool View::escape() {
 
 bool View::removeSelected() {
     const auto& target = emphasis_.selected;
-    if (readOnly_ || !target || target->kind == TargetKind::pose || hold_ != Hold::nothing) {
-        return false;
-    }
+    const bool removable = target && target->kind != TargetKind::pose && !isValue(target->kind);
+    if (readOnly_ || !removable || hold_ != Hold::nothing) return false;
     if (editor_.inGesture()) editor_.endGesture("key");
     if (editor_.run(removal(chosen()), "key")) choose({});
     touch();
@@ -135,6 +135,10 @@ bool View::nudge(const Vec3& direction, int modifiers) {
     const double times = (modifiers & shiftKey) != 0 ? 10 : 1;
     const bool knot = target->kind == TargetKind::knot;
     if (knot && direction.x == 0) return true;
+    const Json* value = isValue(target->kind) ? valueAt(scene()->state(), target->path()) : nullptr;
+    if (value != nullptr && value->is_number()) {
+        return shift({(direction.x + direction.y) * times * step, 0, 0});
+    }
     // Directions on the screen need not be round in the world.
     const Vec3 steps = glm::transpose(pane->sight.orientation()) * direction * times;
     const auto by = [&](double coordinate) { return roundedTo(coordinate * step, step / 1000); };
@@ -142,6 +146,9 @@ bool View::nudge(const Vec3& direction, int modifiers) {
 }
 
 double View::stepIn(const PaneFigure& pane) const noexcept {
+    const auto& target = emphasis_.selected;
+    const FunctionHandle* handle = target ? values_.function(target->list) : nullptr;
+    if (handle != nullptr && handle->integer) return std::max(1.0, std::round(step_));
     return step_ > 0 ? step_ : nudgeStep(1 / pane.sight.unitsPerPixel());
 }
 
@@ -161,6 +168,7 @@ bool View::shift(const Vec3& by) {
 
 /// A knot along its line, a point or a local along the axes of its object.
 void View::moveBy(const Target& target, const Vec3& by) {
+    if (isValue(target.kind)) return setBy(target, by);
     const scene::Object& object =
         *scene()->state().objects[static_cast<std::size_t>(target.object)];
     if (target.kind == TargetKind::pose) {
@@ -259,7 +267,7 @@ bool View::turn(const Vec3& direction) {
 bool View::selectNeighbour(int step) {
     if (!emphasis_.selected || figure() == nullptr) return false;
     const Target& target = *emphasis_.selected;
-    const std::vector<std::string> all = siblingsOf(drawing(), target);
+    const std::vector<std::string> all = siblings(target);
     const auto found = std::find(all.begin(), all.end(), target.path());
     if (found == all.end()) return false;
     const auto place = static_cast<std::size_t>(found - all.begin());

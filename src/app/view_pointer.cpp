@@ -184,7 +184,10 @@ bool View::beginDrag() {
     const PaneFigure* pane = now->find(held_->pane);
     if (pane == nullptr) return false;
     if (!heldPart_ && !isChosen(*held_)) take(*held_, gathering_);
-    if (grouped() ? !beginGroupDrag(*pane) : !beginSingleDrag(*pane)) return false;
+    const bool begun = grouped()              ? beginGroupDrag(*pane)
+                       : isValue(held_->kind) ? beginValueDrag(*pane)
+                                              : beginSingleDrag(*pane);
+    if (!begun) return false;
     rememberShape();
     if (held_->kind == TargetKind::knot) frozenRange_ = now->axis.range;
     if (editor_.inGesture()) editor_.endGesture("key");
@@ -212,6 +215,11 @@ void View::dragTo(const PointerInput& input) {
         editor_.runAnew(groupDrag_->command(input.at, pane->sight, input.modifiers), "pointer");
         return touch();
     }
+    if (valueDrag_) {
+        editor_.run(valueDrag_->command(scene()->state(), input.at, pane->sight, input.modifiers),
+                    "pointer");
+        return touch();
+    }
     for (scene::Json& command : drag_->commands(input.at, pane->sight, input.modifiers)) {
         editor_.run(std::move(command), "pointer");
     }
@@ -228,6 +236,7 @@ void View::letGo() {
     heldPart_.reset();
     drag_.reset();
     groupDrag_.reset();
+    valueDrag_.reset();
     chosenBefore_.clear();
     ghost_.clear();
     frozenRange_.reset();

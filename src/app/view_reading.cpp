@@ -1,11 +1,14 @@
 // What a view says and shows about a drag while it lasts: numbers, and the former shape.
 #include "app/view.hpp"
+#include "scene/json_values.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace knotwork::app {
+
+using scene::Json;
 
 namespace {
 
@@ -25,7 +28,9 @@ std::string listed(const Vec3& p, bool spatial, int decimals) {
 
 bool isOutline(const Shape& shape) noexcept {
     using drawing::Role;
-    return shape.kind == drawing::Kind::polyline && shape.pane == Pane::curve &&
+    if (shape.kind != drawing::Kind::polyline) return false;
+    if (shape.pane == Pane::bFunction) return shape.index == 0;
+    return shape.pane == Pane::curve &&
            (shape.role == Role::curve || shape.role == Role::polygon ||
             shape.role == Role::isoline || shape.role == Role::wireframe);
 }
@@ -35,6 +40,7 @@ bool isOutline(const Shape& shape) noexcept {
 std::optional<Reading> View::reading() const {
     const auto& target = emphasis_.selected;
     if (groupDrag_ && hold_ == Hold::dragging) return groupReading();
+    if (valueDrag_ && hold_ == Hold::dragging) return valueReading();
     const bool dragged = hold_ == Hold::dragging && drag_ && target && target->pane == Pane::curve;
     if (!dragged) return std::nullopt;
     const auto& tool = drag_->tool();
@@ -48,6 +54,25 @@ std::optional<Reading> View::reading() const {
     }
     const double pixel = sightOf(camera_.aim(), {}).unitsPerPixel();
     return Reading{target->at, listed(target->at, spatial_, decimalsAt(pixel))};
+}
+
+/// The number or vector that a handle stands for.
+std::optional<Reading> View::valueReading() const {
+    const Target& target = *emphasis_.selected;
+    const Json* value = valueAt(scene()->state(), target.path());
+    if (value == nullptr) return std::nullopt;
+    if (const FunctionHandle* handle = values_.function(target.path())) {
+        const std::string number = ui::numberText(value->get<double>(), handle->integer ? 0 : 3);
+        return Reading{target.at, handle->label + " = " + number, target.pane};
+    }
+    if (!value->is_array()) {
+        const bool angle = target.list.ends_with("angle");
+        const double number = value->get<double>();
+        return Reading{target.at, angle ? ui::numberText(number * degreesPerRadian, 1) + "°"
+                                        : "× " + ui::numberText(number, 2)};
+    }
+    const double pixel = sightOf(camera_.aim(), {}).unitsPerPixel();
+    return Reading{target.at, listed(scene::vec3Of(*value), spatial_, decimalsAt(pixel))};
 }
 
 /// How far a group has been taken.
@@ -76,7 +101,7 @@ void View::rememberShape() {
         if (!isOutline(shape)) continue;
         if (!ofShape(*held_) && std::none_of(moved.begin(), moved.end(), ofShape)) continue;
         Shape& ghost = ghost_.emplace_back(shape);
-        ghost.object = -1;
+        if (ghost.pane == Pane::curve) ghost.object = -1;
         ghost.path.clear();
         ghost.width = 1;
         ghost.colour.alpha *= ghostStrength;

@@ -3,102 +3,13 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 
-import { assertSilent, documentOf, drag, figureReady, openPage, settle, useBrowser } from './support.mjs';
+import {
+    assertSame, clicked, dragged, executed, field, focus, openHands, outcome, placeOf, pressed, runPause, typed,
+} from './hands-support.mjs';
+import { assertSilent, documentOf, useBrowser } from './support.mjs';
 
 const running = useBrowser();
-const runPause = 900;  // after which a run of arrow keys is over
-
-async function opened(scene = 'bspline-forms', options = {}) {
-    const shown = await openPage(running, `#${scene}`, options);
-    await figureReady(shown.page);
-    await shown.page.evaluate(() => {
-        const figure = document.querySelector('knotwork-figure');
-        globalThis.told = [];
-        for (const type of ['input', 'change']) {
-            figure.addEventListener(type, ({ detail }) => { if (detail?.source) globalThis.told.push({ type, ...detail }); });
-        }
-        globalThis.start = figure.value;
-    });
-    return shown;
-}
-
-/** Everything as it was opened, nothing told. */
-async function anew(page) {
-    await page.evaluate(() => {
-        const figure = document.querySelector('knotwork-figure');
-        figure.value = globalThis.start;
-        globalThis.told.length = 0;
-    });
-    await settle(page);
-}
-
-/** Document, steps of history and the finished changes without source and name of gesture. */
-const outcome = (page) => page.evaluate(() => {
-    const figure = document.querySelector('knotwork-figure');
-    const document_ = figure.value;
-    let steps = 0;
-    const finished = globalThis.told.filter(({ type }) => type === 'change');
-    const changes = finished.map(({ path, command }) => ({ path, command: { ...command, gesture: undefined } }));
-    const sources = [...new Set(finished.map(({ source }) => source))];
-    while (figure.scene.undo()) steps += 1;
-    return { same: JSON.parse(JSON.stringify({ document: document_, steps, changes })), sources };
-});
-
-const focus = (page, path) => page.evaluate((p) => document.querySelector('knotwork-figure').focusPoint(p), path);
-
-/** Where an element of the document is seen, in pixels of the page. */
-async function placeOf(page, path) {
-    await focus(page, path);
-    const place = await page.evaluate(() => {
-        const { shadowRoot } = document.querySelector('knotwork-figure');
-        const [x, y] = shadowRoot.querySelector('.handle').style.translate.split(' ').map(parseFloat);
-        const box = shadowRoot.querySelector('.view').getBoundingClientRect();
-        return { x: box.left + x, y: box.top + y };
-    });
-    await page.keyboard.press('Escape');
-    return place;
-}
-
-async function dragged(page, path, to) {
-    const from = await placeOf(page, path);
-    await drag(page, from, to);
-}
-
-async function clicked(page, path, to, button = 'Move') {
-    await focus(page, path);
-    await page.getByRole('group', { name: 'By clicks' }).getByRole('button', { name: button, exact: true }).click();
-    await page.mouse.click(to.x, to.y);
-}
-
-async function pressed(page, path, ...keys) {
-    await focus(page, path);
-    for (const key of keys) await page.keyboard.press(key);
-    await page.waitForTimeout(runPause);
-}
-
-const executed = (page, command) => page.evaluate((c) => document.querySelector('knotwork-figure').scene.execute(c), command);
-const field = (page, name) => page.getByRole('spinbutton', { name, exact: true });
-
-async function typed(page, name, value) {
-    await field(page, name).fill(value);
-    await field(page, name).press('Enter');
-}
-
-/** Runs a command each way; all come to the same, and each says whose hand it was. */
-async function assertSame(page, ways) {
-    let first;
-    for (const [source, way] of ways) {
-        await anew(page);
-        await way();
-        const { same, sources } = await outcome(page);
-        assert.deepEqual(sources, [source], 'the source');
-        assert.equal(same.steps, 1, `one step of history by ${source}`);
-        first ??= same;
-        assert.deepEqual(same, first, `by ${source}`);
-    }
-    const before = await page.evaluate(() => globalThis.start);
-    assert.notDeepEqual(first.document, before, 'something has changed');
-}
+const opened = (scene, options) => openHands(running, scene, options);
 
 describe('the same by every hand', { timeout: 120_000 }, () => {
     it('moves a point', async () => {

@@ -50,6 +50,7 @@ using Paths = std::vector<std::string>;
 
 Json lastCommand(Playground& play) {
     const Json events = *scene::parseJson(play.view.editor().takeEvents());
+    if (events.empty()) return nullptr;
     Json command = events.back()["command"];
     command.erase("gesture");
     return command;
