@@ -278,7 +278,7 @@ export class KnotworkFigure extends Base {
 
     #followPreferences() {
         this.#preferences = new AbortController();
-        for (const query of ['(prefers-color-scheme: dark)', '(prefers-reduced-motion: reduce)', 'print']) {
+        for (const query of [darkScheme, moreContrast, '(prefers-reduced-motion: reduce)', 'print']) {
             matchMedia(query).addEventListener('change', () => this.#figure?.applyWishes(),
                 { signal: this.#preferences.signal });
         }
@@ -291,15 +291,22 @@ export function defineFigure() {
     if (registry && !registry.get(tagName)) registry.define(tagName, KnotworkFigure);
 }
 
+const darkScheme = '(prefers-color-scheme: dark)';
+const moreContrast = '(prefers-contrast: more), (forced-colors: active)';
+
 /**
- * What a wish for a theme comes to; paper is light.
+ * What a wish for a theme comes to; paper is light. Where the system forces its colours, whatever is
+ * asked for has them round the picture, and so the picture has the nearest that there are.
  * @param {string} theme
- * @returns {'light' | 'dark' | 'contrast'}
+ * @returns {'light' | 'dark' | 'contrast' | 'contrast-dark'}
  */
 function shownTheme(theme) {
     if (theme === 'contrast') return 'contrast';
-    const wantsDark = theme === 'dark' || (theme !== 'light' && matches('(prefers-color-scheme: dark)'));
-    return wantsDark && !matches('print') ? 'dark' : 'light';
+    const forced = matches('(forced-colors: active)');
+    const asSystem = forced || (theme !== 'dark' && theme !== 'light');
+    const wantsDark = !matches('print') && (asSystem ? matches(darkScheme) : theme === 'dark');
+    if (asSystem && matches(moreContrast)) return wantsDark ? 'contrast-dark' : 'contrast';
+    return wantsDark ? 'dark' : 'light';
 }
 
 /** @param {string} query */

@@ -75,7 +75,9 @@ const isPlainObject = (value) => typeof value === 'object' && value !== null && 
 /** @param {Shown} figure */
 function asShown({ view, theme }) {
     const { clientWidth: width, clientHeight: height } = view.canvas;
-    return width > 0 && height > 0 ? { width, height, theme } : { theme };
+    // Files have one theme of more contrast, on white as they are printed.
+    const own = { theme: theme.startsWith('contrast') ? 'contrast' : theme };
+    return width > 0 && height > 0 ? { width, height, ...own } : own;
 }
 
 /**

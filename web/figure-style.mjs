@@ -22,6 +22,7 @@ const layout = `
 }
 .frame[data-theme="dark"] { ${tokens.dark} }
 .frame[data-theme="contrast"] { ${tokens.contrast} }
+.frame[data-theme="contrast-dark"] { ${tokens.contrastDark} }
 .column { grid-area: column; display: flex; flex-direction: column; min-width: 0;
     height: var(--knotwork-column-height, auto); }
 .stage { position: relative; flex: 1 1 auto; min-height: 12rem; aspect-ratio: 16 / 9;
@@ -134,7 +135,7 @@ const toolbar = `
 }
 .button:hover { background: var(--raised); }
 .button[aria-disabled="true"] { color: var(--edge); cursor: default; background: transparent; }
-.frame[data-theme="contrast"] .button[aria-disabled="true"] { opacity: 0.5; }
+.frame[data-theme^="contrast"] .button[aria-disabled="true"] { opacity: 0.5; }
 .button:is([aria-pressed="true"], [aria-expanded="true"]) { background: var(--wash); color: var(--accent); }
 .button .caption { padding-inline-end: 0.375rem; white-space: nowrap; }
 .button.captioned { padding-inline: 0.5rem 0.25rem; }

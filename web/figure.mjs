@@ -25,7 +25,7 @@ import { sharedStage } from './stage.mjs';
  * @property {import('./words.mjs').Words} words
  * @property {string} controls
  * @property {boolean} readOnly
- * @property {'light' | 'dark' | 'contrast'} theme
+ * @property {'light' | 'dark' | 'contrast' | 'contrast-dark'} theme
  * @property {boolean} ownTheme whether the figure chooses its theme itself
  * @property {boolean} still whether motion is to be reduced
  * @property {string} wheelZoom

@@ -1,7 +1,7 @@
 // Colours and measures that figure and page share, as custom properties of CSS.
 //
-// Those of the picture itself (src/ui/theme.cpp). Neutral greys with a little blue, one accent; every pair of text and ground has a contrast of
-// 4.5 to 1 or more, controls 3 to 1.
+// Those of the picture itself (src/ui/theme.cpp). Neutral greys with a little blue, one accent; every
+// pair of text and ground has a contrast of 4.5 to 1 or more, controls 3 to 1.
 
 const light = `
     color-scheme: light;
@@ -45,4 +45,18 @@ const contrast = `
     --bad: #8c0b0b;
     --bad-wash: #ffecec;`;
 
-export const tokens = { light, dark, contrast };
+const contrastDark = `
+    color-scheme: dark;
+    --ground: #000000;
+    --raised: #262626;
+    --line: #ffffff;
+    --edge: #ffffff;
+    --ink: #ffffff;
+    --quiet: #e6e6e6;
+    --accent: #a9c2ff;
+    --on-accent: #000000;
+    --wash: #1c2a52;
+    --bad: #ffb3ad;
+    --bad-wash: #4a1512;`;
+
+export const tokens = { light, dark, contrast, contrastDark };

@@ -71,7 +71,7 @@ void App::attach(int id, std::shared_ptr<scene::Scene> scene) {
 }
 
 void App::setTheme(int id, const std::string& theme) {
-    if (View* view = parts_->view(id)) view->setDark(ui::themeNamed(theme) == ui::ThemeName::dark);
+    if (View* view = parts_->view(id)) view->setTheme(ui::themeNamed(theme));
 }
 
 void App::setPanel(int id, bool shown) {

@@ -18,7 +18,7 @@ ui::PanelArea panelArea(const View& view) noexcept {
 
 void App::Parts::paintPanel(Slot& slot, const Canvas& canvas) {
     const double time = secondsNow();
-    host.setTheme(canvas.dark ? ui::ThemeName::dark : ui::ThemeName::light);
+    host.setTheme(canvas.theme);
     const double seconds = time - slot.lastFrame;
     slot.lastFrame = time;
     if (!host.beginFrame({canvas.width, canvas.height, canvas.pixelRatio, seconds})) return;
@@ -51,7 +51,7 @@ void App::render(int id) {
         return static_cast<int>(std::lround(css * view.pixelRatio()));
     };
     const Canvas canvas{device(view.width()), device(view.height()), view.pixelRatio(),
-                        view.dark()};
+                        view.theme()};
     if (canvas.width < 1 || canvas.height < 1) return;
     const Figure* figure = view.figure();
     view.painted();

@@ -106,7 +106,7 @@ Shape dotAt(const Vec3& p, const scene::Colour& colour) {
 }
 
 const ui::Theme& coloursOf(const FigureRequest& request) noexcept {
-    return ui::theme(request.dark ? ui::ThemeName::dark : ui::ThemeName::light);
+    return ui::theme(request.theme);
 }
 
 void addParameterLine(PaneFigure& pane, double t, bool named, const ui::Theme& colours) {
@@ -201,7 +201,7 @@ void addAllRuled(PaneFigure& pane, const FigureRequest& request,
         const scene::Placed* placed = placedOf(all, *request.state, object);
         if (placed == nullptr) continue;
         if (placed->body.curve() != nullptr) {
-            addRuledStretches(pane, *placed, rulers, request.dark);
+            addRuledStretches(pane, *placed, rulers, ui::isDark(request.theme));
             continue;
         }
         for (const Ruler& one : rulers) addRuled(pane, request, placed, one);

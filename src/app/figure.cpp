@@ -106,6 +106,13 @@ bool wantsGrid(const drawing::Drawing& drawing) noexcept {
     });
 }
 
+/// What is lit lies before or behind something, also where it is seen from above and stays so.
+bool hasSurface(const drawing::Drawing& drawing) noexcept {
+    return std::any_of(drawing.shapes.begin(), drawing.shapes.end(), [](const Shape& shape) {
+        return shape.pane == Pane::curve && shape.kind == Kind::triangles;
+    });
+}
+
 /// The radius of a sphere about the middle that holds the bounds.
 double reachOf(const drawing::Bounds& bounds, const Vec3& middle) noexcept {
     const Vec3 low = glm::abs(bounds.min - middle);
@@ -160,7 +167,8 @@ Shape bandShape(const Box& band, const PaneFigure& pane, const ui::Theme& colour
 
 /// The tool at the selected handle, its arrows named.
 void addGizmo(PaneFigure& pane, const Gizmo& gizmo, const FigureRequest& request) {
-    for (Shape& shape : gizmoShapes(gizmo, pane.sight, request.emphasis.part, request.dark)) {
+    for (Shape& shape : gizmoShapes(gizmo, pane.sight, request.emphasis.part,
+                                    ui::isDark(request.theme))) {
         pane.tools.push_back(std::move(shape));
     }
     constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
@@ -173,7 +181,7 @@ void addGizmo(PaneFigure& pane, const Gizmo& gizmo, const FigureRequest& request
         pane.plot.labels.push_back({std::string(names[static_cast<std::size_t>(axis)]),
                                     {tip->x + nameAside * aside.x, tip->y + nameAside * aside.y},
                                     ui::Align::centre, ui::Baseline::middle, 12, true,
-                                    axisColour(axis, request.dark), false, true});
+                                    axisColour(axis, ui::isDark(request.theme)), false, true});
     }
 }
 
@@ -204,7 +212,7 @@ void addCurvePane(Figure& figure, const FigureRequest& request, const Box& box,
     pane.plot.map = camera.map(box);
     pane.sight = camera.sight(box);
     pane.middle = camera.aim().centre;
-    if (request.spatial || !pane.sight.flat()) {
+    if (request.spatial || !pane.sight.flat() || hasSurface(*request.drawing)) {
         pane.reach = reachOf(request.drawing->bounds, pane.middle);
     } else if (wantsGrid(*request.drawing)) {
         ui::addPlaneGrid(pane.plot, colours);
@@ -437,8 +445,7 @@ ui::FigureLayout layoutOf(const FigureRequest& request) {
 
 Figure composeFigure(const FigureRequest& request, const ui::FigureLayout& layout,
                      const Camera& camera) {
-    const ui::Theme& colours =
-        ui::theme(request.dark ? ui::ThemeName::dark : ui::ThemeName::light);
+    const ui::Theme& colours = ui::theme(request.theme);
     Figure figure;
     if (layout.curve) addCurvePane(figure, request, *layout.curve, camera, colours);
     if (layout.curve) addLegends(figure, request, *layout.curve, colours);

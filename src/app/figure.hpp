@@ -93,7 +93,7 @@ struct FigureRequest {
     int object = -1;         ///< whose functions are plotted, or the first that has some
     double curveAspect = 1;  ///< width of what the camera fits over its height
     bool spatial = false;    ///< the curve's pane shows a world in space
-    bool dark = false;
+    ui::ThemeName theme = ui::ThemeName::light;
     std::string orderWords = Words{}.order;
     Emphasis emphasis;
     /// During the drag of a knot the axis must stay, or the knot would run away from the pointer.

@@ -1,5 +1,6 @@
 #include "app/painter.hpp"
 
+#include "drawing/palette.hpp"
 #include "ui/theme.hpp"
 
 #include <algorithm>
@@ -55,6 +56,18 @@ void paintLines(Renderer& renderer, const std::vector<ui::Lines>& all) {
     }
 }
 
+/// Where more contrast is asked for, lines and points stand out as text does; what is faint beside
+/// them stays a little so.
+void makeClearer(render::PaintOptions& options, const Painted& painted, const ui::Theme& theme) {
+    constexpr double leastOpacity = 0.7;
+    scene::Colour colour =
+        drawing::withContrast(painted.shape->colour, theme.background, drawing::clearContrast);
+    colour.alpha = std::max(colour.alpha, leastOpacity);
+    options.colour = colour;
+    options.opacity = std::max(options.opacity, leastOpacity);
+    options.extraWidth += 0.75;
+}
+
 void paintShape(Renderer& renderer, const Painted& painted, const ui::Theme& theme,
                 std::vector<render::Highlight>& highlights,
                 std::optional<render::Behind> behind = std::nullopt) {
@@ -67,6 +80,9 @@ void paintShape(Renderer& renderer, const Painted& painted, const ui::Theme& the
     options.haloColour = theme.halo;
     options.highlights = highlights;
     options.behind = behind;
+    if (ui::hasContrast(theme.name) && painted.shape->kind != drawing::Kind::triangles) {
+        makeClearer(options, painted, theme);
+    }
     renderer.paint(*painted.shape, options);
 }
 
@@ -97,8 +113,7 @@ void paintPane(Renderer& renderer, const PaneFigure& pane, const Canvas& canvas,
 }  // namespace
 
 void paintFigure(Renderer& renderer, const Figure* figure, const Canvas& canvas) {
-    const ui::Theme& theme =
-        ui::theme(canvas.dark ? ui::ThemeName::dark : ui::ThemeName::light);
+    const ui::Theme& theme = ui::theme(canvas.theme);
     renderer.beginView(canvas.width, canvas.height, theme.background);
     if (figure != nullptr) {
         for (const PaneFigure& pane : figure->panes) paintPane(renderer, pane, canvas, theme);

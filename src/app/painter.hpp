@@ -10,7 +10,7 @@ struct Canvas {
     int width = 0;   ///< device pixels
     int height = 0;
     double pixelRatio = 1;
-    bool dark = false;
+    ui::ThemeName theme = ui::ThemeName::light;
 };
 
 /// `figure` null paints the background alone.

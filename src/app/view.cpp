@@ -1,6 +1,7 @@
 #include "app/view.hpp"
 
 #include "app/hit.hpp"
+#include "drawing/palette.hpp"
 
 #include <algorithm>
 
@@ -48,7 +49,7 @@ std::string withPoint(const std::string& text, const std::string& point) {
     return written;
 }
 
-Json labelJson(const ui::Label& label, const Words& words, bool dark) {
+Json labelJson(const ui::Label& label, const Words& words, const ui::Theme& theme) {
     Json json = Json::object();
     json["text"] = label.number ? withPoint(label.text, words.decimalPoint) : label.text;
     json["x"] = label.at.x;
@@ -57,11 +58,10 @@ Json labelJson(const ui::Label& label, const Words& words, bool dark) {
     json["baseline"] = baselineName(label.baseline);
     json["size"] = label.size;
     json["weight"] = label.strong ? 600 : 400;
-    json["colour"] = scene::formatColour(label.colour);
-    if (label.halo) {
-        const auto name = dark ? ui::ThemeName::dark : ui::ThemeName::light;
-        json["halo"] = scene::formatColour(ui::theme(name).background);
-    }
+    const bool clearer = ui::hasContrast(theme.name);
+    json["colour"] = scene::formatColour(
+        clearer ? drawing::withContrast(label.colour, theme.background, drawing::clearContrast) : label.colour);
+    if (label.halo) json["halo"] = scene::formatColour(theme.background);
     return json;
 }
 
@@ -93,9 +93,9 @@ void View::resize(double width, double height, double pixelRatio) {
     touch();
 }
 
-void View::setDark(bool dark) {
-    if (dark == dark_) return;
-    dark_ = dark;
+void View::setTheme(ui::ThemeName theme) {
+    if (theme == theme_) return;
+    theme_ = theme;
     touch();
 }
 
@@ -209,7 +209,7 @@ const drawing::Drawing& View::drawing() {
     const Picture::Key key{scene()->revision(),
                            scene()->state().effects.empty() ? 0 : clock_.phase(),
                            tolerance,
-                           dark_,
+                           ui::isDark(theme_),
                            panesAsked(scene()->state()),
                            pixelAt(tolerance) * pixelRatio_};
     return picture_.get(scene()->state(), key, moment());
@@ -224,7 +224,7 @@ FigureRequest View::request(const drawing::Drawing& drawing) const {
     request.object = emphasis_.selected ? emphasis_.selected->object : -1;
     request.curveAspect = aspectOf(bounds_);
     request.spatial = spatial_;
-    request.dark = dark_;
+    request.theme = theme_;
     request.orderWords = words_.order;
     request.emphasis = emphasis_;
     request.emphasis.quiet = clock_.running() && !pointedAt_ && !emphasis_.selected;
@@ -355,7 +355,7 @@ std::string View::labels(const std::function<bool(const ui::Box&)>& covered) con
     for (const PaneFigure& pane : figure_.panes) {
         for (const ui::Label& label : pane.plot.labels) {
             if (covered(ui::boxOf(label))) continue;
-            list.push_back(labelJson(label, words_, dark_));
+            list.push_back(labelJson(label, words_, ui::theme(theme_)));
         }
     }
     return scene::dumpJson(list);

@@ -36,7 +36,7 @@ public:
 
     void attach(std::shared_ptr<scene::Scene> scene);
     void resize(double width, double height, double pixelRatio);
-    void setDark(bool dark);
+    void setTheme(ui::ThemeName theme);
     void setReadOnly(bool readOnly);
     void setReducedMotion(bool reduced) noexcept { reducedMotion_ = reduced; }
     void setWords(Words words);
@@ -108,7 +108,7 @@ public:
     [[nodiscard]] double width() const noexcept { return width_; }
     [[nodiscard]] double height() const noexcept { return height_; }
     [[nodiscard]] double pixelRatio() const noexcept { return pixelRatio_; }
-    [[nodiscard]] bool dark() const noexcept { return dark_; }
+    [[nodiscard]] ui::ThemeName theme() const noexcept { return theme_; }
     [[nodiscard]] const Camera& camera() const noexcept { return camera_; }
     [[nodiscard]] std::uint64_t drawingsMade() const noexcept { return picture_.made(); }
 
@@ -207,7 +207,7 @@ private:
     double height_ = 0;
     double pixelRatio_ = 1;
     double inset_ = 0;
-    bool dark_ = false;
+    ui::ThemeName theme_ = ui::ThemeName::light;
     bool readOnly_ = false;
     bool reducedMotion_ = false;
     double step_ = 0;  ///< of the arrow keys, 0 by the zoom

@@ -72,8 +72,7 @@ void View::followValues() {
 void View::drawValues() {
     valueShapes_.clear();
     if (readOnly_) return;
-    const auto name = dark_ ? ui::ThemeName::dark : ui::ThemeName::light;
-    const scene::Colour colour = ui::theme(name).accent;
+    const scene::Colour colour = ui::theme(theme_).accent;
     for (const FunctionHandle& handle : values_.functions) {
         valueShapes_.push_back(dotOf(targetOf(handle), colour));
     }

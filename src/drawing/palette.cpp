@@ -65,4 +65,28 @@ Colour onBackground(const Colour& colour, bool dark) noexcept {
     return lifted;
 }
 
+double contrastOf(const Colour& a, const Colour& b) noexcept {
+    const auto [less, more] = std::minmax({luminance(a), luminance(b)});
+    return (more + 0.05) / (less + 0.05);
+}
+
+Colour withContrast(const Colour& colour, const Colour& ground,
+                           double contrast) noexcept {
+    if (contrastOf(colour, ground) >= contrast) return colour;
+    // Black and white are equally far from this luminance.
+    const double end = luminance(ground) > 0.179 ? 0 : 1;
+    const auto towards = [&](double share) {
+        Colour mixed = scene::mixColours(colour, {end, end, end, colour.alpha}, share);
+        mixed.alpha = colour.alpha;
+        return mixed;
+    };
+    double less = 0;
+    double enough = 1;
+    for (int step = 0; step < 10; ++step) {
+        const double middle = 0.5 * (less + enough);
+        (contrastOf(towards(middle), ground) < contrast ? less : enough) = middle;
+    }
+    return towards(enough);
+}
+
 }  // namespace knotwork::drawing

@@ -27,4 +27,14 @@ namespace knotwork::drawing {
 /// An author's colour, lifted on a dark background until it can be seen there.
 [[nodiscard]] Colour onBackground(const Colour& colour, bool dark) noexcept;
 
+/// From 1 for the same to 21 for black and white (WCAG 2.2). Opacity is left out.
+[[nodiscard]] double contrastOf(const Colour& a, const Colour& b) noexcept;
+/// The colour as little darkened, on a light ground, or lightened, on a dark one, as gives this
+/// contrast, hue and opacity kept; black or white where nothing less does.
+[[nodiscard]] Colour withContrast(const Colour& colour, const Colour& ground,
+                                         double contrast) noexcept;
+/// Of lines, points and text to the ground where more contrast is asked for: 7 (WCAG 2.2, 1.4.6) and
+/// what the rounding to bytes may take.
+inline constexpr double clearContrast = 7.1;
+
 }  // namespace knotwork::drawing

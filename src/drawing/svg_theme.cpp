@@ -12,9 +12,6 @@ constexpr SvgColours dark{"#12151b", "#171b23", "#e7eaf0", "#a0abbd", "#262d39",
 constexpr SvgColours contrast{"#ffffff", "#ffffff", "#000000", "#000000", "#767676", "#ffffff",
                               false, 1.4};
 
-/// 7 : 1 against white (WCAG 2.2, 1.4.6).
-constexpr double mostLuminance = 1.05 / 7 - 0.05;
-
 }  // namespace
 
 const SvgColours& svgColours(SvgTheme theme) noexcept {
@@ -27,12 +24,8 @@ const SvgColours& svgColours(SvgTheme theme) noexcept {
 }
 
 std::string svgColour(const Colour& colour, SvgTheme theme) {
-    Colour seen = colour;
-    constexpr Colour black{0, 0, 0, 1};
-    for (int step = 1; theme == SvgTheme::contrast && luminance(seen) > mostLuminance; ++step) {
-        seen = scene::mixColours(colour, black, step / 10.0);
-    }
-    return scene::formatColour(seen);
+    if (theme != SvgTheme::contrast) return scene::formatColour(colour);
+    return scene::formatColour(withContrast(colour, {1, 1, 1, 1}, clearContrast));
 }
 
 }  // namespace knotwork::drawing

@@ -224,7 +224,7 @@ void Renderer::stroke(const drawing::Shape& shape, Stroke stroke) {
 }
 
 void Renderer::paint(const drawing::Shape& shape, const PaintOptions& options) {
-    const Colour colour = faded(shape.colour, options.opacity);
+    const Colour colour = faded(options.colour.value_or(shape.colour), options.opacity);
     const Colour halo = options.haloColour.value_or(faded(colour, 0.25));
     const double size = static_cast<double>(shape.width) + options.extraWidth;
     const Behind behind = options.behind.value_or(usualBehind(shape.role));

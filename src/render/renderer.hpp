@@ -68,6 +68,7 @@ struct Dots {
 
 /// What a view adds to a shape that a drawing describes.
 struct PaintOptions {
+    std::optional<Colour> colour = {};   ///< in place of the shape's own
     double opacity = 1;
     double extraWidth = 0;       ///< CSS pixels added to the line width or the point diameter
     double halo = 0;             ///< of a line that is emphasised as a whole, CSS pixels

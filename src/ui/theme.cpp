@@ -52,12 +52,61 @@ constexpr Theme dark{
     .error = hex(0xff8f86),
 };
 
+constexpr Theme contrastLight{
+    .name = ThemeName::contrast,
+    .background = hex(0xffffff),
+    .plotBackground = hex(0xffffff),
+    .panel = hex(0xffffff),
+    .panelBorder = hex(0x000000),
+    .field = hex(0xe6e6e6),
+    .fieldHovered = hex(0xd6d6d6),
+    .fieldActive = hex(0xc4d2ff),
+    .text = hex(0x000000),
+    .mutedText = hex(0x1c1c1c),
+    .axis = hex(0x4a4a4a),
+    .grid = hex(0xb4b4b4),
+    .accent = hex(0x0b2f9c),
+    .accentText = hex(0xffffff),
+    .halo = hex(0xe07800, 0.7),
+    .pointBorder = hex(0xffffff),
+    .error = hex(0x8c0b0b),
+};
+
+constexpr Theme contrastDark{
+    .name = ThemeName::contrastDark,
+    .background = hex(0x000000),
+    .plotBackground = hex(0x000000),
+    .panel = hex(0x000000),
+    .panelBorder = hex(0xffffff),
+    .field = hex(0x262626),
+    .fieldHovered = hex(0x3a3a3a),
+    .fieldActive = hex(0x27407f),
+    .text = hex(0xffffff),
+    .mutedText = hex(0xe6e6e6),
+    .axis = hex(0xb8b8b8),
+    .grid = hex(0x5c5c5c),
+    .accent = hex(0xa9c2ff),
+    .accentText = hex(0x000000),
+    .halo = hex(0xffc34d, 0.7),
+    .pointBorder = hex(0x000000),
+    .error = hex(0xffb3ad),
+};
+
 }  // namespace
 
-const Theme& theme(ThemeName name) noexcept { return name == ThemeName::dark ? dark : light; }
+const Theme& theme(ThemeName name) noexcept {
+    switch (name) {
+        case ThemeName::dark: return dark;
+        case ThemeName::contrast: return contrastLight;
+        case ThemeName::contrastDark: return contrastDark;
+        default: return light;
+    }
+}
 
 ThemeName themeNamed(std::string_view name) noexcept {
-    return name == "dark" ? ThemeName::dark : ThemeName::light;
+    if (name == "dark") return ThemeName::dark;
+    if (name == "contrast") return ThemeName::contrast;
+    return name == "contrast-dark" ? ThemeName::contrastDark : ThemeName::light;
 }
 
 }  // namespace knotwork::ui

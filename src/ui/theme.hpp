@@ -1,5 +1,6 @@
 // The colours of everything that is not part of a document: surfaces, text, axes, handles, states.
-// A light and a dark set; contrast of text to its surface is at least 4.5 (7 for plain text).
+// Light and dark, for everyone and with more contrast; that of text to its surface is at least 4.5
+// (7 for plain text), in the sets of more contrast 7 and of axes 4.5.
 #pragma once
 
 #include "scene/colour.hpp"
@@ -8,7 +9,14 @@
 
 namespace knotwork::ui {
 
-enum class ThemeName { light, dark };
+enum class ThemeName { light, dark, contrast, contrastDark };
+
+[[nodiscard]] constexpr bool isDark(ThemeName name) noexcept {
+    return name == ThemeName::dark || name == ThemeName::contrastDark;
+}
+[[nodiscard]] constexpr bool hasContrast(ThemeName name) noexcept {
+    return name == ThemeName::contrast || name == ThemeName::contrastDark;
+}
 
 struct Theme {
     ThemeName name = ThemeName::light;
@@ -31,7 +39,7 @@ struct Theme {
 };
 
 [[nodiscard]] const Theme& theme(ThemeName name) noexcept;
-/// `dark` for "dark", the light theme for anything else.
+/// Of "dark", "contrast" and "contrast-dark"; the light theme for anything else.
 [[nodiscard]] ThemeName themeNamed(std::string_view name) noexcept;
 
 }  // namespace knotwork::ui

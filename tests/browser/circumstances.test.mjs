@@ -2,7 +2,9 @@
 import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 
-import { assertSilent, openFigure, useBrowser } from './support.mjs';
+import { PNG } from 'pngjs';
+
+import { assertSilent, openFigure, pictureOf, useBrowser } from './support.mjs';
 
 const running = useBrowser();
 
@@ -55,6 +57,21 @@ describe('targets', { timeout: 60_000 }, () => {
 });
 
 describe('chosen colours', { timeout: 60_000 }, () => {
+    it('give the picture more contrast where the reader or the system asks for it', async () => {
+        const looks = [
+            [{}, 'light', 0xfc], [{ contrast: 'more' }, 'contrast', 0xff], [{ forcedColors: 'active' }, 'contrast', 0xff],
+            [{ contrast: 'more', colorScheme: 'dark' }, 'contrast-dark', 0],
+        ];
+        for (const [options, theme, ground] of looks) {
+            const { page, context } = await opened(options);
+            const frame = page.locator('knotwork-figure .frame');
+            assert.equal(await frame.getAttribute('data-theme'), theme);
+            const { data } = PNG.sync.read(await pictureOf(page));
+            assert.equal(data[0], ground, theme);
+            await context.close();
+        }
+    });
+
     it('leave every state of a control visible where colours are forced', async () => {
         const { page, context } = await opened({ forcedColors: 'active' });
         const told = await page.evaluate(() => {
