@@ -27,13 +27,17 @@ export class Reading {
 
 /** Milliseconds that following a change may take of every change of a gesture … */
 const light = 20;
-/** … and after how many without a change it follows where it takes longer. */
-const rest = 200;
+/** … and the share of the time that it may take where it takes longer. */
+const share = 1 / 6;
 
-/** Follows changes: at the end of the task, or in the first pause where that has taken long before. */
+/**
+ * Follows changes at the end of the task; where that takes long, the first change at once and those of
+ * a gesture from time to time, the last of them always.
+ */
 export class Follower {
     #waiting = false;
-    #cost = 0;
+    /** When the next change may be followed at once. */
+    #free = 0;
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     #timer;
 
@@ -44,13 +48,11 @@ export class Follower {
 
     /** After a change; many of one task are one. */
     soon() {
-        if (this.#cost > light) {
-            clearTimeout(this.#timer);
-            this.#timer = setTimeout(() => this.now(), rest);
-        } else if (!this.#waiting) {
-            this.#waiting = true;
-            queueMicrotask(() => this.now());
-        }
+        if (this.#waiting) return;
+        this.#waiting = true;
+        const wait = this.#free - performance.now();
+        if (wait > 0) this.#timer = setTimeout(() => this.now(), wait);
+        else queueMicrotask(() => this.now());
     }
 
     now() {
@@ -58,7 +60,9 @@ export class Follower {
         this.#waiting = false;
         const began = performance.now();
         this.follow();
-        this.#cost = performance.now() - began;
+        const ended = performance.now();
+        const cost = ended - began;
+        this.#free = cost > light ? ended + cost * (1 / share - 1) : 0;
     }
 
     end() {

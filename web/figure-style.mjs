@@ -326,7 +326,7 @@ td.removal { width: 32px; }
 /** Last, since these override what comes before. */
 const circumstances = `
 @media (prefers-contrast: more) {
-    .frame { --line: var(--edge); --quiet: var(--ink); }
+    .frame, .frame[data-theme] { --line: var(--edge); --quiet: var(--ink); }
 }
 @media print {
     .toolbar, .trace-bar .button, .trace-steps, .values, .refusal, .progress { display: none !important; }

@@ -35,6 +35,7 @@ describe('the one-file page', { timeout: 120_000 }, () => {
     it('draws in a frame that may do nothing but run scripts', async () => {
         const { page, context, said } = await openPage(running, 'frame.html', {
             html: '<iframe sandbox="allow-scripts" src="standalone.html" title="Knotwork" width="900" height="700"></iframe>',
+            serviceWorkers: 'allow',  // to block them, scripts would have to be run that such a frame forbids
         });
         const frame = await (await page.waitForSelector('iframe')).contentFrame();
         await figureReady(frame);

@@ -13,8 +13,15 @@ const frameOf = async (page) => (await documentOf(page)).objects[0].trace.frame;
 const strip = (page) => page.getByRole('region', { name: 'Step by step' });
 const button = (page, name) => strip(page).getByRole('button', { name, exact: true });
 
-/** What the picture and the strip say about the step that is shown. */
-const told = (page) => page.evaluate(() => {
+/** What the picture and the strip say about the step that is shown, once they are in step. */
+async function told(page) {
+    const { drawn, ...strip } = await toldNow(page);
+    if (drawn.includes(strip.title)) return { drawn, ...strip };
+    await page.waitForTimeout(300);  // a new scene has just been read, which may take its time
+    return toldNow(page);
+}
+
+const toldNow = (page) => page.evaluate(() => {
     const figure = document.querySelector('knotwork-figure');
     const drawn = figure.scene.drawing().shapes.filter(({ role, kind }) => kind === 'label' && (role === 'trace' || role === 'label'));
     const { textContent: title } = figure.shadowRoot.querySelector('.trace h3');
