@@ -167,7 +167,7 @@ export const methods = {
         sampleAt: ['list', { derivatives: 'integer', into: 'into' }],
         polyline: [{ tolerance: 'number' }],
         length: ['number?', 'number?'], parameterAtLength: ['number'],
-        frame: ['number', { side: 'string' }], closestPoint: ['list'],
+        frame: ['number', { side: 'string' }], closestPoint: ['list'], crossings: ['list', 'list'],
     },
     BsplineCurve: {
         insertKnot: ['number', 'integer?'], refine: ['list', { algorithm: 'string' }], osloMatrix: ['list'],
@@ -187,7 +187,7 @@ export const methods = {
     BlendingTriangle: { ...surface, local: ['integer'], weights: ['number', 'number'] },
     Scene: {
         drawing: [{ phase: 'number', time: 'number', tolerance: 'number' }], execute: ['object'], select: ['list'],
-        svg: [picture], exportAs: ['format', picture],
+        svg: [picture], exportAs: ['format', picture], exporting: ['format', picture],
     },
 };
 

@@ -72,7 +72,7 @@ test('every built-in scene opens, draws and is its own canonical document', () =
         assert.ok(title.length > 0 && description.length > 0, id);
         const scene = kw.scene(document);
         const { bounds, shapes } = scene.drawing();
-        assert.ok(shapes.some(({ role }) => role === 'curve' || role === 'surface'), id);
+        assert.ok(shapes.some(({ role }) => ['curve', 'surface', 'wireframe'].includes(role)), id);
         for (const shape of shapes) {
             assert.ok(shape.positions instanceof Float64Array);
             assert.ok(shape.positions.length % 3 === 0 && shape.positions.every(Number.isFinite), `${id} ${shape.role}`);
