@@ -12,6 +12,9 @@ const atOnce = 2 ** 22;
 /** Pixels across of a PNG; some browsers have no larger canvas. */
 const widest = 8192;
 
+/** Milliseconds after which one hears again that a picture is not ready yet. */
+const beatEvery = 100;
+
 /** What the scene itself is written as. @type {Record<string, string>} */
 const types = {
     svg: 'image/svg+xml', json: 'application/json', js: 'text/javascript', csv: 'text/csv',
@@ -28,7 +31,7 @@ const types = {
  * @returns {(watch: import('./slices.mjs').Watch) => Promise<Blob>}
  */
 export function beginFile(figure, format, options) {
-    if (format === 'png') return () => picture(figure.view, options);
+    if (format === 'png') return (watch) => picture(figure.view, options, watch);
     if (!Object.hasOwn(types, format)) {
         const known = ['png', ...Object.keys(types)].join(', ');
         throw new KnotworkError('NOT_SUPPORTED', 'format', `"${format}" cannot be exported; ${known} can.`);
@@ -81,17 +84,26 @@ function asShown({ view, theme }) {
 }
 
 /**
+ * The browser paints and packs it by itself, and tells nothing before it has done.
  * @param {import('./figure-view.mjs').FigureView} view
  * @param {unknown} given
+ * @param {import('./slices.mjs').Watch} watch
  * @returns {Promise<Blob>}
  */
-function picture(view, given) {
+async function picture(view, given, { signal, progress }) {
     const { width, height } = optionsOf(given, ['width', 'height']);
     const pixels = (/** @type {unknown} */ size, /** @type {string} */ name) =>
         (size === undefined ? undefined : integer(size, name, 1, widest));
     const canvas = view.shot(pixels(width, 'width'), pixels(height, 'height'));
-    return new Promise((resolve, reject) => {
-        const failed = () => new KnotworkError('OUT_OF_MEMORY', 'format', 'The picture could not be made into a PNG.');
-        canvas.toBlob((blob) => (blob ? resolve(blob) : reject(failed())), 'image/png');
-    });
+    signal?.throwIfAborted();
+    const beat = setInterval(() => progress?.(0), beatEvery);
+    try {
+        return await new Promise((resolve, reject) => {
+            signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
+            const failed = () => new KnotworkError('OUT_OF_MEMORY', 'format', 'The picture could not be made into a PNG.');
+            canvas.toBlob((blob) => (blob ? resolve(blob) : reject(failed())), 'image/png');
+        });
+    } finally {
+        clearInterval(beat);
+    }
 }

@@ -15,7 +15,7 @@ export class Progress {
     constructor(look, listener = {}) {
         this.listener = listener;
         this.name = el('span', { class: 'progress-name' });
-        this.bar = el('progress', { attributes: { max: 1, value: 0 } });
+        this.bar = el('progress', { attributes: { max: 1 } });
         this.button = el('button', { class: look, attributes: { type: 'button' }, on: { click: () => this.cancel() } });
         this.element = el('div', { class: 'progress', attributes: { hidden: true } }, this.name, this.bar, this.button);
     }
@@ -36,12 +36,12 @@ export class Progress {
         setText(this.name, name);
         setText(this.button, words.text('work.cancel'));
         this.bar.setAttribute('aria-label', name);
-        this.bar.value = 0;
+        this.bar.removeAttribute('value');  // nobody knows yet
     }
 
     /** @param {number} fraction */
     advance(fraction) {
-        this.bar.value = Math.max(this.bar.value, fraction);
+        if (fraction > 0) this.bar.value = Math.max(this.bar.value, fraction);
         if (this.shown || performance.now() - this.#began < patience) return;
         this.element.hidden = false;
         this.listener.shown?.(this.name.textContent ?? '');

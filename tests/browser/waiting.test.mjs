@@ -96,6 +96,31 @@ describe('an export of a large mesh', { timeout: 300_000 }, () => {
         await context.close();
     });
 
+    it('shows that a large picture is being made, which can be ended too', async () => {
+        const { page, context } = await openFigure(running, '#blending-surface');
+        await page.evaluate(() => {
+            globalThis.figure = document.querySelector('knotwork-figure');
+            const { toBlob } = HTMLCanvasElement.prototype;
+            // As long as it is looked at, the browser is not ready.
+            HTMLCanvasElement.prototype.toBlob = function held(...args) { globalThis.pack = () => toBlob.apply(this, args); };
+            globalThis.begin = () => {
+                globalThis.ended = globalThis.figure.exportAs('png', { width: 900 }).then(({ type }) => type, ({ name }) => name);
+            };
+            globalThis.begin();
+        });
+        await bar(page).waitFor();
+        assert.equal(await bar(page).getAttribute('value'), null, 'how far it is, nobody knows');
+        await page.locator('knotwork-figure').getByRole('button', { name: 'Cancel' }).click();
+        assert.equal(await ended(page), 'AbortError');
+        await bar(page).waitFor({ state: 'hidden' });
+        await page.evaluate(() => globalThis.begin());
+        await bar(page).waitFor();
+        await page.evaluate(() => globalThis.pack());
+        assert.equal(await ended(page), 'image/png');
+        await bar(page).waitFor({ state: 'hidden' });
+        await context.close();
+    });
+
     it('shows how far it is, and is ended by its button and by Escape', async () => {
         const { page, context } = await openLarge();
         const figure = page.locator('knotwork-figure');
